@@ -69,6 +69,37 @@ void remove_if_left(const fs::path& part) {
 // The permission bits that a new file gets from the existing file. The setuid and setgid bits are excluded.
 constexpr mode_t kept_mode = 0777;
 
+// Makes a rename survive a power cut. Ignores errors, because some file systems do not support this.
+void sync_folder(const fs::path& folder) {
+  const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) return;
+  fsync(handle);
+  close(handle);
+}
+
+void check_rights(const fs::path& path, const fs::path& target) {
+  struct stat existing {};
+  if (stat(target.c_str(), &existing) != 0) return;
+  if ((existing.st_mode & S_IWUSR) == 0 || access(target.c_str(), W_OK) != 0)
+    throw Error(path.string(), "this file is write-protected",
+                "choose another name, or make it writable (chmod u+w)");
+}
+
+// Returns the path of the file to write. Throws Error for a folder, a device or a write-protected file.
+fs::path checked_target(const fs::path& path) {
+  const fs::path target = target_of(path);
+  std::error_code code;
+  const fs::file_status status = fs::status(target, code);
+  if (status.type() == fs::file_type::directory)
+    throw Error(path.string(), "this is a folder", "choose a file in it");
+  if (fs::exists(status) && status.type() != fs::file_type::regular) {
+    throw Error(path.string(), "this is not a regular file", "choose another name");
+  }
+  if (target.empty()) throw Error("", "no file name is given", "give a file name");
+  check_rights(path, target);
+  return target;
+}
+
 }  // namespace
 
 // process_runs() cannot find processes in other containers or on other computers. Their part files stay
@@ -148,41 +179,6 @@ private:
   std::string path_;
   int handle_ = -1;
 };
-
-namespace {
-
-// Makes a rename survive a power cut. Ignores errors, because some file systems do not support this.
-void sync_folder(const fs::path& folder) {
-  const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (handle < 0) return;
-  fsync(handle);
-  close(handle);
-}
-
-void check_rights(const fs::path& path, const fs::path& target) {
-  struct stat existing {};
-  if (stat(target.c_str(), &existing) != 0) return;
-  if ((existing.st_mode & S_IWUSR) == 0 || access(target.c_str(), W_OK) != 0)
-    throw Error(path.string(), "this file is write-protected",
-                "choose another name, or make it writable (chmod u+w)");
-}
-
-// Returns the path of the file to write. Throws Error for a folder, a device or a write-protected file.
-fs::path checked_target(const fs::path& path) {
-  const fs::path target = target_of(path);
-  std::error_code code;
-  const fs::file_status status = fs::status(target, code);
-  if (status.type() == fs::file_type::directory)
-    throw Error(path.string(), "this is a folder", "choose a file in it");
-  if (fs::exists(status) && status.type() != fs::file_type::regular) {
-    throw Error(path.string(), "this is not a regular file", "choose another name");
-  }
-  if (target.empty()) throw Error("", "no file name is given", "give a file name");
-  check_rights(path, target);
-  return target;
-}
-
-}  // namespace
 
 fs::path unused_name(const fs::path& path, const std::function<bool(const fs::path&)>& fits) {
   std::error_code ignored;

@@ -21,6 +21,12 @@ constexpr std::array<int, 256> base64_values = [] {
   return table;
 }();
 
+// Combines two words. If only one of the words changes, the result always changes.
+std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
+  state = (state ^ word) * 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio, as an odd number
+  return state ^ state >> 32;
+}
+
 }  // namespace
 
 std::string base64(std::string_view bytes) {
@@ -80,16 +86,6 @@ std::string percent_decoded(std::string_view text, bool* whole) {
   }
   return bytes;
 }
-
-namespace {
-
-// Combines two words. If only one of the words changes, the result always changes.
-std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
-  state = (state ^ word) * 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio, as an odd number
-  return state ^ state >> 32;
-}
-
-}  // namespace
 
 // Multiplies in four independent chains, so that the processor can run four multiplications at a time.
 void Checksum::add(const void* bytes, std::size_t size) {

@@ -112,6 +112,19 @@ struct SpawnSettings {
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 };
 
+// Joins lines: "this; that".
+std::string in_one_line(const std::string& lines) {
+  std::string text;
+  for (const char c : lines) {
+    const bool ends = c == '\n' || c == '\r';
+    if (!ends)
+      text += c;
+    else if (!text.ends_with("; "))
+      text += "; ";
+  }
+  return text;
+}
+
 }  // namespace
 
 ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::string& advice,
@@ -168,23 +181,6 @@ void ChildProgram::finish() {
   const int status = status_.value_or(0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
 }
-
-namespace {
-
-// Joins lines: "this; that".
-std::string in_one_line(const std::string& lines) {
-  std::string text;
-  for (const char c : lines) {
-    const bool ends = c == '\n' || c == '\r';
-    if (!ends)
-      text += c;
-    else if (!text.ends_with("; "))
-      text += "; ";
-  }
-  return text;
-}
-
-}  // namespace
 
 void ChildProgram::fail() {
   const std::string text = in_one_line(said());
