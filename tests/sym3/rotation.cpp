@@ -109,18 +109,10 @@ TEST_CASE_TEMPLATE("log_rotation_keeps_its_bound_up_to_half_a_turn", T, double, 
 }
 
 TEST_CASE_TEMPLATE("at_exactly_half_a_turn_the_first_component_is_positive", T, double, float) {
-  Random random(63);
   const double h = std::numbers::sqrt2 / 2;
-  for (const std::array<double, 3> axis : {std::array{1., 0., 0.},
-                                           {0., 1., 0.},
-                                           {0., 0., 1.},
-                                           {-1., 0., 0.},
-                                           {0., -1., 0.},
-                                           {0., 0., -1.},
-                                           {h, -h, 0.},
-                                           {-h, h, 0.},
-                                           {0., -h, h},
-                                           {-0.6, 0., 0.8}}) {
+  const std::array<double, 3> axes[] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {-1, 0, 0}, {0, -1, 0},
+                                        {0, 0, -1}, {h, -h, 0}, {-h, h, 0}, {0, -h, h}, {-0.6, 0, 0.8}};
+  for (const auto& axis : axes) {
     const auto [x, y, z] = std::array{T(axis[0]), T(axis[1]), T(axis[2])};
     const Mat3<T> r = {2 * x * x - 1, 2 * x * y, 2 * x * z, 2 * x * y,    2 * y * y - 1,
                        2 * y * z,     2 * x * z, 2 * y * z, 2 * z * z - 1};
