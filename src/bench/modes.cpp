@@ -335,10 +335,6 @@ std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
   return modes;
 }
 
-void sort(std::vector<Mode>& modes, const std::vector<deform::Scheme>& schemes) {
-  std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(schemes, mode.scheme); });
-}
-
 double ratio(double value, double of) {
   return of > next_to_none ? value / of : NAN;
 }
@@ -358,18 +354,6 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
   }
 }
 
-// Measures a scheme. If this cage does not support the scheme, stores the reason.
-template <class Measure>
-void attempt(Mode& mode, const Measure& measure) {
-  if (!mode.problem.empty()) return;
-  try {
-    measure(mode);
-  } catch (const base::Error& error) {
-    mode.problem = error.what();
-    mode.qualities.clear();
-  }
-}
-
 }  // namespace
 
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
@@ -384,7 +368,13 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
     const auto count = static_cast<double>(modes.size());
     progress.section(from, to);
     for (std::size_t i = 0; i < modes.size(); ++i) {
-      attempt(modes[i], measure);
+      Mode& mode = modes[i];
+      try {
+        if (mode.problem.empty()) measure(mode);
+      } catch (const base::Error& error) {  // this cage does not support the scheme
+        mode.problem = error.what();
+        mode.qualities.clear();
+      }
       progress.report(static_cast<double>(i + 1) / count);
     }
   };
@@ -394,7 +384,7 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
   progress.section(bound, 1);
   runs.time_frames(settings.rounds, progress);
   compare_with_mean_values(modes);
-  sort(modes, schemes);
+  std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(schemes, mode.scheme); });
   return {std::move(modes), runs.model().encloses(), runs.model().without_area(), runs.rest_gap(),
           runs.warnings()};
 }
