@@ -57,9 +57,12 @@ public:
   }
 
   /// Writes the shortest digits (17 at most) from which the exact number can be read.
-  TextWriter& number(double value) { return shortest(value); }
-  TextWriter& number(float value) { return shortest(value); }
-  TextWriter& number(std::uint64_t value) { return shortest(value); }
+  template <class Number>
+  TextWriter& number(Number value) {
+    char digits[32];
+    out_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    return *this;
+  }
 
   template <class Number>
   TextWriter& little_endian(Number value) {
@@ -100,13 +103,6 @@ public:
   }
 
 private:
-  template <class Number>
-  TextWriter& shortest(Number value) {
-    char digits[32];
-    out_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-    return *this;
-  }
-
   base::ByteSink sink_;
   base::Progress* progress_;
   Digits digits_;
