@@ -83,13 +83,7 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
 
 void write(const std::filesystem::path& path, const mesh::Surface& surface,
            const std::vector<std::string>& comments) {
-  write(path, surface, surface.positions, comments);
-}
-
-void write(const std::filesystem::path& path, const mesh::Surface& surface,
-           std::span<const mesh::Point> positions, const std::vector<std::string>& comments,
-           base::Progress* progress) {
-  write(path, Content{surface, positions, comments}, nullptr, {}, progress);
+  write(path, Content{surface, surface.positions, comments}, nullptr, {});
 }
 
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,

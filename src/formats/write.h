@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -21,16 +20,11 @@ namespace viete::formats {
 void write(const std::filesystem::path& path, const mesh::Surface& surface,
            const std::vector<std::string>& comments = {});
 
-/// Writes `positions`, one per vertex, instead of surface.positions. `progress` may be null. If cancelled,
-/// throws base::Cancelled, and an existing file stays.
-void write(const std::filesystem::path& path, const mesh::Surface& surface,
-           std::span<const mesh::Point> positions, const std::vector<std::string>& comments = {},
-           base::Progress* progress = nullptr);
-
 /// If writes_itself(original, path), rewrites the original with all content, and copies its material
 /// libraries and images to the folder of `path`. If writing fails, deletes these copies. If writes_itself()
 /// is false, writes the normals, texture points and colours that the format supports, but no groups or
-/// materials. Returns messages for the user, one line each.
+/// materials. Returns messages for the user, one line each. `progress` may be null. If cancelled, throws
+/// base::Cancelled, and an existing file stays.
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress = nullptr);
 

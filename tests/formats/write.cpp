@@ -109,7 +109,7 @@ TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them")
     const std::string before = test::file_bytes(folder / name);
     base::Progress stopped;
     stopped.cancel();
-    CHECK_THROWS_AS(write(folder / name, s, s.positions, {}, &stopped), base::Cancelled);
+    CHECK_THROWS_AS(write(folder / name, {s, s.positions, {}}, nullptr, {}, &stopped), base::Cancelled);
     CHECK(test::file_bytes(folder / name) == before);
   }
   CHECK(folder.entries() == 4);
@@ -140,7 +140,7 @@ TEST_CASE("invalid_positions_are_not_written_in_any_format") {
     positions[7][2] = bad;
     positions[9][0] = bad;
     for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl", "a.glb", "a.gltf"}) {
-      CHECK_THROWS_WITH_AS(write(folder / name, s, positions),
+      CHECK_THROWS_WITH_AS(write(folder / name, {s, positions, {}}, nullptr, {}),
                            doctest::Contains("the position of vertex 7 is invalid"), base::Error);
       CHECK(folder.entries() == 0);
     }
@@ -157,7 +157,7 @@ TEST_CASE("invalid_positions_are_not_written_in_any_format") {
   std::vector<Point> largest = s.positions;
   largest[7] = {1e100, -1e100, 0};
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
-    write(folder / name, s, largest);
+    write(folder / name, {s, largest, {}}, nullptr, {});
     CHECK(read(folder / name).surface.positions.size() == s.positions.size());
   }
 }

@@ -36,7 +36,7 @@ struct ShapeFiles : WorkFolder {
     return turned(points, degrees);
   }
   void write(const std::string& name, const Points& points) const {
-    formats::write(*this / name, cube, points);
+    formats::write(*this / name, {cube, points, {}}, nullptr, {});
   }
   Points read(const std::string& name) const { return formats::read(*this / name).surface.positions; }
 };
