@@ -200,6 +200,47 @@ std::vector<std::uint32_t> with_edge(const Polygons& cage, const mesh::Edge& edg
   return cage.around(edge[0], [&](const Polygon& p) { return side_of(p, edge) < p.size(); });
 }
 
+// Triangles that are connected across edges with exactly two triangles. Removed in ascending order: open
+// patches, then closed patches, each by area. Patches with `keep` stay.
+struct Patch {
+  bool keep = true, closed = true;
+  double area = 0;
+
+  auto operator<=>(const Patch&) const = default;
+};
+
+// Returns the polygons of the next patch to remove. If all patches can stay, returns no polygons.
+std::vector<std::uint32_t> polygons_of_fin(const Surface& cage) {
+  const auto table = mesh::half_edges(cage.positions.size(), mesh::welded(cage).triangles);
+  mesh::UnionFind patch_of(cage.triangles.size());
+  for (std::size_t e = 0; e < table.edges.size(); ++e)
+    if (const auto sides = table.of(e); sides.size() == 2)
+      patch_of.join(sides[0].triangle, sides[1].triangle);
+  std::vector<double> areas;
+  for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh::corners_of(cage.positions, cage.triangles[t]);
+    areas.push_back(mesh::has_area(a, b, c) ? mesh::norm(mesh::cross(b - a, c - a)) : 0);
+    if (t > 0 && cage.triangle_polygon[t - 1] == cage.triangle_polygon[t]) patch_of.join(t - 1, t);
+  }
+  std::vector<Patch> patches(cage.triangles.size());
+  for (std::uint32_t t = 0; t < areas.size(); ++t) patches[patch_of.find(t)].area += areas[t];
+  for (std::size_t e = 0; e < table.edges.size(); ++e) {
+    const auto sides = table.of(e);
+    const bool fin = sides.size() > 2 && sides.size() % 2 == 1 &&
+                     std::ranges::all_of(sides, [&](const auto& side) { return areas[side.triangle] > 0; });
+    for (const mesh::HalfEdge& side : sides) {
+      Patch& patch = patches[patch_of.find(side.triangle)];
+      patch.keep &= !fin, patch.closed &= sides.size() > 1;
+    }
+  }
+  const auto first = std::ranges::min_element(patches);
+  std::vector<std::uint32_t> polygons;
+  for (std::uint32_t t = 0; t < areas.size(); ++t)
+    if (!first->keep && patch_of.find(t) == first - patches.begin())
+      polygons.push_back(cage.triangle_polygon[t]);
+  return polygons;
+}
+
 }  // namespace
 
 Edited split_edges(const Surface& surface, std::span<const mesh::Edge> edges) {
@@ -266,51 +307,6 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
   for (const std::uint32_t p : polygons) cage.all[p].clear();
   return cage.finish({});
 }
-
-namespace {
-
-// Triangles that are connected across edges with exactly two triangles. Removed in ascending order: open
-// patches, then closed patches, each by area. Patches with `keep` stay.
-struct Patch {
-  bool keep = true, closed = true;
-  double area = 0;
-
-  auto operator<=>(const Patch&) const = default;
-};
-
-// Returns the polygons of the next patch to remove. If all patches can stay, returns no polygons.
-std::vector<std::uint32_t> polygons_of_fin(const Surface& cage) {
-  const auto table = mesh::half_edges(cage.positions.size(), mesh::welded(cage).triangles);
-  mesh::UnionFind patch_of(cage.triangles.size());
-  for (std::size_t e = 0; e < table.edges.size(); ++e)
-    if (const auto sides = table.of(e); sides.size() == 2)
-      patch_of.join(sides[0].triangle, sides[1].triangle);
-  std::vector<double> areas;
-  for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
-    const auto [a, b, c] = mesh::corners_of(cage.positions, cage.triangles[t]);
-    areas.push_back(mesh::has_area(a, b, c) ? mesh::norm(mesh::cross(b - a, c - a)) : 0);
-    if (t > 0 && cage.triangle_polygon[t - 1] == cage.triangle_polygon[t]) patch_of.join(t - 1, t);
-  }
-  std::vector<Patch> patches(cage.triangles.size());
-  for (std::uint32_t t = 0; t < areas.size(); ++t) patches[patch_of.find(t)].area += areas[t];
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    const bool fin = sides.size() > 2 && sides.size() % 2 == 1 &&
-                     std::ranges::all_of(sides, [&](const auto& side) { return areas[side.triangle] > 0; });
-    for (const mesh::HalfEdge& side : sides) {
-      Patch& patch = patches[patch_of.find(side.triangle)];
-      patch.keep &= !fin, patch.closed &= sides.size() > 1;
-    }
-  }
-  const auto first = std::ranges::min_element(patches);
-  std::vector<std::uint32_t> polygons;
-  for (std::uint32_t t = 0; t < areas.size(); ++t)
-    if (!first->keep && patch_of.find(t) == first - patches.begin())
-      polygons.push_back(cage.triangle_polygon[t]);
-  return polygons;
-}
-
-}  // namespace
 
 Surface without_fins(Surface cage) {
   for (auto fin = polygons_of_fin(cage); !fin.empty(); fin = polygons_of_fin(cage))

@@ -169,14 +169,6 @@ private:
   Shell shell_;
 };
 
-}  // namespace
-
-Shell extract(const Clearance& clearance, double level) {
-  return Extraction(clearance, level).run();
-}
-
-namespace {
-
 using Quad = std::array<std::uint32_t, 4>;
 
 // Returns a quad of two triangles. Their common edge connects the quad's first and third corner.
@@ -203,6 +195,10 @@ double badness(const Shell& shell, const Quad& quad) {
 }
 
 }  // namespace
+
+Shell extract(const Clearance& clearance, double level) {
+  return Extraction(clearance, level).run();
+}
 
 std::vector<TrianglePair> quad_pairs(const Shell& shell) {
   struct Option {

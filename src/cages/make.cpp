@@ -75,6 +75,27 @@ private:
   mesh::Surface surface_;
 };
 
+Wish in_range(Wish wish) {
+  wish.triangles = std::clamp(wish.triangles, least_triangles, most_triangles);
+  wish.margin = std::clamp(wish.margin, least_margin, most_margin);
+  wish.gap = std::clamp(wish.gap, 0.0, most_gap);
+  for (auto& n : wish.cells) n = std::clamp<std::size_t>(n, 1, most_cells);
+  return wish;
+}
+
+Made box_instead(const mesh::Surface& model, Wish wish) {
+  wish.cells = {1, 1, 1};
+  wish.own_axes = false;
+  Made made = make_box(model, wish);
+  made.notes.push_back("the model does not fit into a cage of " + base::counted(wish.triangles, "triangle") +
+                       ", so a box was made; use more triangles");
+  return made;
+}
+
+void section(base::Progress* progress, double from, double to) {
+  if (progress) progress->section(from, to);
+}
+
 }  // namespace
 
 Made make_box(const mesh::Surface& model, const Wish& wish) {
@@ -108,31 +129,6 @@ const Subject& Maker::subject_with(const std::optional<Plane>& mirror, base::Pro
   }
   return *subject_;
 }
-
-namespace {
-
-Wish in_range(Wish wish) {
-  wish.triangles = std::clamp(wish.triangles, least_triangles, most_triangles);
-  wish.margin = std::clamp(wish.margin, least_margin, most_margin);
-  wish.gap = std::clamp(wish.gap, 0.0, most_gap);
-  for (auto& n : wish.cells) n = std::clamp<std::size_t>(n, 1, most_cells);
-  return wish;
-}
-
-Made box_instead(const mesh::Surface& model, Wish wish) {
-  wish.cells = {1, 1, 1};
-  wish.own_axes = false;
-  Made made = make_box(model, wish);
-  made.notes.push_back("the model does not fit into a cage of " + base::counted(wish.triangles, "triangle") +
-                       ", so a box was made; use more triangles");
-  return made;
-}
-
-void section(base::Progress* progress, double from, double to) {
-  if (progress) progress->section(from, to);
-}
-
-}  // namespace
 
 Maker::Maker(std::shared_ptr<const mesh::Surface> model)
     : model_(std::move(model)), box_(extent_of(*model_)) {

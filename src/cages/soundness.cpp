@@ -27,40 +27,6 @@ std::vector<std::uint32_t> one_vertex_a_part(std::size_t vertices,
   return firsts;
 }
 
-}  // namespace
-
-Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
-                    std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
-                    base::WorkerPool& pool, base::Progress* progress) {
-  Soundness found;
-  const mesh::Summary summary = mesh::summarize(cage);
-  found.open_edges =
-      summary.boundary_edges.size() + summary.nonmanifold_edges.size() + summary.misoriented_edges.size();
-  found.pinched_vertices = mesh::nonmanifold_vertices(cage).size();
-  found.crossing = mesh::self_intersecting_triangles(cage, progress);
-  for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
-    if (progress) progress->report(1);
-    const mesh::Corners here = mesh::corners_of(cage.positions, cage.triangles[t]);
-    if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
-  }
-  const auto firsts = one_vertex_a_part(positions.size(), triangles);
-  std::vector<mesh::Point> places(firsts.size());
-  std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
-  for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);
-  return found;
-}
-
-Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool) {
-  const Frame frame = frame_of(model, std::nullopt);
-  const FramedModel framed = model_in(frame, model);
-  mesh::Surface around = cage;
-  for (mesh::Point& p : around.positions) p = frame.into(p);
-  const mesh::TriangleTree tree(framed.positions, framed.triangles);
-  return soundness(around, framed.positions, framed.triangles, tree, pool);
-}
-
-namespace {
-
 constexpr int most_rounds = 24;
 
 class MarginKeeper {
@@ -140,6 +106,36 @@ private:
 };
 
 }  // namespace
+
+Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
+                    std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
+                    base::WorkerPool& pool, base::Progress* progress) {
+  Soundness found;
+  const mesh::Summary summary = mesh::summarize(cage);
+  found.open_edges =
+      summary.boundary_edges.size() + summary.nonmanifold_edges.size() + summary.misoriented_edges.size();
+  found.pinched_vertices = mesh::nonmanifold_vertices(cage).size();
+  found.crossing = mesh::self_intersecting_triangles(cage, progress);
+  for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
+    if (progress) progress->report(1);
+    const mesh::Corners here = mesh::corners_of(cage.positions, cage.triangles[t]);
+    if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
+  }
+  const auto firsts = one_vertex_a_part(positions.size(), triangles);
+  std::vector<mesh::Point> places(firsts.size());
+  std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
+  for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);
+  return found;
+}
+
+Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool) {
+  const Frame frame = frame_of(model, std::nullopt);
+  const FramedModel framed = model_in(frame, model);
+  mesh::Surface around = cage;
+  for (mesh::Point& p : around.positions) p = frame.into(p);
+  const mesh::TriangleTree tree(framed.positions, framed.triangles);
+  return soundness(around, framed.positions, framed.triangles, tree, pool);
+}
 
 std::size_t keep_margin(WorkingCage& cage, double margin, base::Progress* progress) {
   return MarginKeeper(cage, margin, progress).run();

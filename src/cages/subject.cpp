@@ -85,6 +85,59 @@ private:
   std::vector<Point> points_;
 };
 
+using Matrix = std::array<Vec3, 3>;
+
+Matrix eigenvectors(Matrix a) {
+  Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
+      if (std::abs(a[p][q]) < 1e-300) continue;
+      const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+      const double t = std::copysign(1, theta) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+      const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = a[k][p], y = a[k][q];
+        a[k][p] = c * x - s * y;
+        a[k][q] = s * x + c * y;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = a[p][k], y = a[q][k];
+        a[p][k] = c * x - s * y;
+        a[q][k] = s * x + c * y;
+        const double u = v[k][p], w = v[k][q];
+        v[k][p] = c * u - s * w;
+        v[k][q] = s * u + c * w;
+      }
+    }
+  }
+  return v;
+}
+
+// Calls visit(position, weight) for weighted points. Together, the points have the area, mean and inertia of
+// the triangles. If `has_area` is false, visits the vertices with weight 1 instead.
+template <class Visit>
+void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
+  if (!has_area) {
+    for (const Point& p : surface.positions) visit(frame.into(p), 1.0);
+    return;
+  }
+  for (const auto& t : surface.triangles) {
+    const Point a = frame.into(surface.positions[t[0]]), b = frame.into(surface.positions[t[1]]),
+                c = frame.into(surface.positions[t[2]]);
+    const double weight = mesh::norm(mesh::cross(b - a, c - a)) / 12;
+    for (const Point& p : {a, b, c}) visit(p, weight);
+    visit((1.0 / 3) * (a + b + c), 9 * weight);
+  }
+}
+
+FramedModel centered(FramedModel model, bool mirrored) {
+  if (!mirrored) return model;
+  const double x = std::max(-model.box.low[0], model.box.high[0]);
+  model.box.low[0] = -x;
+  model.box.high[0] = x;
+  return model;
+}
+
 }  // namespace
 
 Shell whole(const Shell& half) {
@@ -131,55 +184,6 @@ std::optional<Plane> symmetry_plane(const mesh::Surface& surface, base::Progress
   const Vec3 normal = n[0] * frame.axes[0] + n[1] * frame.axes[1] + n[2] * frame.axes[2];
   return Plane{normal, mesh::dot(normal, frame.out_of(best->offset * n))};
 }
-
-namespace {
-
-using Matrix = std::array<Vec3, 3>;
-
-Matrix eigenvectors(Matrix a) {
-  Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (int sweep = 0; sweep < 12; ++sweep) {
-    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
-      if (std::abs(a[p][q]) < 1e-300) continue;
-      const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-      const double t = std::copysign(1, theta) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-      const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double x = a[k][p], y = a[k][q];
-        a[k][p] = c * x - s * y;
-        a[k][q] = s * x + c * y;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double x = a[p][k], y = a[q][k];
-        a[p][k] = c * x - s * y;
-        a[q][k] = s * x + c * y;
-        const double u = v[k][p], w = v[k][q];
-        v[k][p] = c * u - s * w;
-        v[k][q] = s * u + c * w;
-      }
-    }
-  }
-  return v;
-}
-
-// Calls visit(position, weight) for weighted points. Together, the points have the area, mean and inertia of
-// the triangles. If `has_area` is false, visits the vertices with weight 1 instead.
-template <class Visit>
-void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
-  if (!has_area) {
-    for (const Point& p : surface.positions) visit(frame.into(p), 1.0);
-    return;
-  }
-  for (const auto& t : surface.triangles) {
-    const Point a = frame.into(surface.positions[t[0]]), b = frame.into(surface.positions[t[1]]),
-                c = frame.into(surface.positions[t[2]]);
-    const double weight = mesh::norm(mesh::cross(b - a, c - a)) / 12;
-    for (const Point& p : {a, b, c}) visit(p, weight);
-    visit((1.0 / 3) * (a + b + c), 9 * weight);
-  }
-}
-
-}  // namespace
 
 mesh::Bounds extent_of(const mesh::Surface& surface) {
   return surface.triangles.empty() ? mesh::bounds(surface.positions) : mesh::used_bounds(surface);
@@ -245,18 +249,6 @@ FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
   model.closed = summary.closed() && summary.manifold() && summary.oriented();
   return model;
 }
-
-namespace {
-
-FramedModel centered(FramedModel model, bool mirrored) {
-  if (!mirrored) return model;
-  const double x = std::max(-model.box.low[0], model.box.high[0]);
-  model.box.low[0] = -x;
-  model.box.high[0] = x;
-  return model;
-}
-
-}  // namespace
 
 Subject::Subject(const mesh::Surface& surface, const std::optional<Plane>& plane, base::Progress* progress)
     : mirror(plane),
