@@ -52,33 +52,6 @@ void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses&
   all.poses.push_back({file.stem().string(), shared(std::move(pose))});
 }
 
-}  // namespace
-
-ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& cage,
-                         base::Progress* progress) {
-  ImportedPoses all;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    std::error_code ignored;
-    if (fs::is_directory(files[i], ignored)) {
-      read_folder(
-          files[i], "a pose of this cage",
-          "choose a folder with posed versions of the cage (same vertices, same order)",
-          [&](const fs::path& file) { return add_poses_of(file, cage, all), true; }, all.warnings, progress);
-    } else {
-      report_part(progress, i, files.size());
-      add_poses_of(files[i], cage, all);
-    }
-  }
-  if (all.poses.size() > document::PoseLibrary::most_poses)
-    throw base::Error(files.front().string(),
-                      "there are " + base::counted(all.poses.size(), "pose") + ", and a document can have " +
-                          base::with_thousands(document::PoseLibrary::most_poses),
-                      "choose fewer poses");
-  return all;
-}
-
-namespace {
-
 void check_key_count(const std::string& file, std::size_t count) {
   if (count <= document::Timeline::most_keys) return;
   throw base::Error(file,
@@ -176,6 +149,29 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
 }
 
 }  // namespace
+
+ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& cage,
+                         base::Progress* progress) {
+  ImportedPoses all;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::error_code ignored;
+    if (fs::is_directory(files[i], ignored)) {
+      read_folder(
+          files[i], "a pose of this cage",
+          "choose a folder with posed versions of the cage (same vertices, same order)",
+          [&](const fs::path& file) { return add_poses_of(file, cage, all), true; }, all.warnings, progress);
+    } else {
+      report_part(progress, i, files.size());
+      add_poses_of(files[i], cage, all);
+    }
+  }
+  if (all.poses.size() > document::PoseLibrary::most_poses)
+    throw base::Error(files.front().string(),
+                      "there are " + base::counted(all.poses.size(), "pose") + ", and a document can have " +
+                          base::with_thousands(document::PoseLibrary::most_poses),
+                      "choose fewer poses");
+  return all;
+}
 
 ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
                        base::Progress* progress) {

@@ -206,6 +206,12 @@ private:
   bool is_curved_ = false;
 };
 
+void widen_list(GltfJson& of, std::size_t count) {
+  GltfJson& weights = of["weights"];
+  if (!weights.is_array()) weights = GltfJson::array();
+  while (weights.size() < count) weights.push_back(0);
+}
+
 }  // namespace
 
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
@@ -244,16 +250,6 @@ std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> fil
   auto clip = std::make_shared<const GltfMorphClip>(std::move(file), std::move(map));
   return clip->targets().empty() ? nullptr : clip;
 }
-
-namespace {
-
-void widen_list(GltfJson& of, std::size_t count) {
-  GltfJson& weights = of["weights"];
-  if (!weights.is_array()) weights = GltfJson::array();
-  while (weights.size() < count) weights.push_back(0);
-}
-
-}  // namespace
 
 std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* data, std::size_t size,
                           std::size_t buffer) {

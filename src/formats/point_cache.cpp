@@ -64,6 +64,11 @@ const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head)
   return head;
 }
 
+std::string cache_size_text(std::int64_t points, std::int64_t frames) {
+  return std::to_string(frames) + (frames == 1 ? " frame" : " frames") + " of " + std::to_string(points) +
+         (points == 1 ? " point" : " points");
+}
+
 }  // namespace
 
 std::optional<PointCacheFormat> point_cache_format(const fs::path& path) {
@@ -129,15 +134,6 @@ void PointCache::read_head(std::uint64_t size) {
   if (size > 0) refuse_foreign(name_, begins);
   read_mdd_head(size);
 }
-
-namespace {
-
-std::string cache_size_text(std::int64_t points, std::int64_t frames) {
-  return std::to_string(frames) + (frames == 1 ? " frame" : " frames") + " of " + std::to_string(points) +
-         (points == 1 ? " point" : " points");
-}
-
-}  // namespace
 
 void PointCache::read_pc2_head(std::uint64_t size) {
   constexpr auto format = PointCacheFormat::pc2;

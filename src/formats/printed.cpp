@@ -56,6 +56,18 @@ char* without_zeros(char* from, char* to) {
   return to[-1] == '.' ? to - 1 : to;
 }
 
+[[noreturn]] void refuse(const std::string& place, std::size_t vertex, const mesh::Point& p, double largest) {
+  std::array<char, 160> text;
+  std::snprintf(text.data(), text.size(), "the position of vertex %zu is invalid (%.3g %.3g %.3g)", vertex,
+                p[0], p[1], p[2]);
+  if (!is_place(p))
+    throw base::Error(place, text.data(), "choose other weights, another blend, or a pose nearer to rest");
+  std::snprintf(text.data(), text.size(), "the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)",
+                vertex, largest, p[0], p[1], p[2]);
+  throw base::Error(place, text.data(),
+                    "scale the model, or save as .obj or .ply, which store larger numbers");
+}
+
 }  // namespace
 
 void Printed::learn(std::string_view word) {
@@ -120,22 +132,6 @@ void print_point(const mesh::Point& p, TextWriter& out) {
   std::array<char, 400> room;
   for (std::size_t i = 0; i < 3; ++i) out.text(i > 0 ? " " : "").text(printed.print(p[i], room));
 }
-
-namespace {
-
-[[noreturn]] void refuse(const std::string& place, std::size_t vertex, const mesh::Point& p, double largest) {
-  std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(), "the position of vertex %zu is invalid (%.3g %.3g %.3g)", vertex,
-                p[0], p[1], p[2]);
-  if (!is_place(p))
-    throw base::Error(place, text.data(), "choose other weights, another blend, or a pose nearer to rest");
-  std::snprintf(text.data(), text.size(), "the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)",
-                vertex, largest, p[0], p[1], p[2]);
-  throw base::Error(place, text.data(),
-                    "scale the model, or save as .obj or .ply, which store larger numbers");
-}
-
-}  // namespace
 
 void check_written(const std::string& place, std::size_t vertex, const mesh::Point& p, double largest) {
   if (!is_place(p, largest)) refuse(place, vertex, p, largest);
