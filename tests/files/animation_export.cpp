@@ -50,12 +50,6 @@ std::vector<std::size_t> file_vertices(const mesh::Surface& read, const mesh::Su
   return own;
 }
 
-std::vector<mesh::Point> picked(const std::vector<mesh::Point>& all, const std::vector<std::size_t>& which) {
-  std::vector<mesh::Point> some;
-  for (const auto v : which) some.push_back(all[v]);
-  return some;
-}
-
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
@@ -175,7 +169,8 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
     for (int frame = 1; frame <= 17; ++frame) {
       const double at = (frame - 1) / 24.0;
       while (key + 2 < seconds.size() && seconds[key + 1] < at) ++key;
-      const auto a = picked(clip->at_key(key), own), b = picked(clip->at_key(key + 1), own);
+      const auto a = mesh::picked<mesh::Point>(clip->at_key(key), own),
+                 b = mesh::picked<mesh::Point>(clip->at_key(key + 1), own);
       const double t = (at - seconds[key]) / (seconds[key + 1] - seconds[key]);
       std::vector<mesh::Point> line(a.size());
       for (std::size_t v = 0; v < a.size(); ++v) line[v] = a[v] + t * (b[v] - a[v]);
