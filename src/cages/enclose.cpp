@@ -66,8 +66,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
       asked = model.positions;
       continue;
     }
-    std::vector<Point> points;
-    for (const auto p : outside) points.push_back(asked[p]);
+    std::vector<Point> points = mesh::picked<Point>(asked, outside);
     const auto ways = ways_outward(moved, points, distance);
     for (std::size_t v = 0; v < ways.size(); ++v) moved.positions[v] = moved.positions[v] + ways[v];
     mesh::triangulate(moved);

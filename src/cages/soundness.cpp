@@ -1,6 +1,5 @@
 #include "cages/soundness.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -122,8 +121,7 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
     if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
   }
   const auto firsts = one_vertex_a_part(positions.size(), triangles);
-  std::vector<mesh::Point> places(firsts.size());
-  std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
+  const auto places = mesh::picked(positions, firsts);
   for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);
   return found;
 }

@@ -109,12 +109,6 @@ void check_points(const std::string& place, std::size_t found, const PosedSurfac
                     std::string("choose a file made from ") + of.what);
 }
 
-std::vector<mesh::Point> MorphPositions::of_surface(const std::vector<mesh::Point>& of_file) const {
-  std::vector<mesh::Point> positions;
-  for (const auto v : order) positions.push_back(of_file[v]);
-  return positions;
-}
-
 namespace {
 
 // For each vertex of the surface, returns its index in the file. If faces differ, compares positions.

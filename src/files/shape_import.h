@@ -65,11 +65,12 @@ struct MorphPositions {
   std::shared_ptr<const formats::MorphClip> clip;  ///< null if the file has no morph targets
   std::vector<std::uint32_t> order;                ///< for each vertex of the surface, its index in the file
 
-  std::vector<mesh::Point> at_key(std::size_t key) const { return of_surface(clip->at_key(key)); }
-  std::vector<mesh::Point> at_target(std::size_t target) const { return of_surface(clip->at_target(target)); }
-
-private:
-  std::vector<mesh::Point> of_surface(const std::vector<mesh::Point>& of_file) const;
+  std::vector<mesh::Point> at_key(std::size_t key) const {
+    return mesh::picked<mesh::Point>(clip->at_key(key), order);
+  }
+  std::vector<mesh::Point> at_target(std::size_t target) const {
+    return mesh::picked<mesh::Point>(clip->at_target(target), order);
+  }
 };
 
 /// If the faces of file and surface differ, matches vertices by their rest positions. If the numbers of
