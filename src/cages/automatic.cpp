@@ -12,7 +12,6 @@
 #include "cages/collapse.h"
 #include "cages/extraction.h"
 #include "cages/soundness.h"
-#include "cages/subject.h"
 #include "mesh/union_find.h"
 
 namespace viete::cages {

@@ -1,9 +1,7 @@
 #include "cages/extraction.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <memory>
-#include <optional>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "cages/automatic.h"
-#include "cages/subject.h"
 #include "mesh/triangulation.h"
 
 namespace viete::cages {

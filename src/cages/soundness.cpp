@@ -1,13 +1,10 @@
 #include "cages/soundness.h"
 
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "cages/subject.h"
 #include "mesh/defects.h"
 #include "mesh/summary.h"
-#include "mesh/triangle_tree.h"
 #include "mesh/union_find.h"
 #include "mesh/winding_number.h"
 

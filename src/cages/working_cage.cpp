@@ -7,8 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "mesh/triangle.h"
-
 namespace viete::cages {
 
 namespace {

@@ -8,7 +8,6 @@
 #include "base/atomic_file.h"
 #include "base/worker_pool.h"
 #include "document/checks.h"
-#include "document/document.h"
 #include "formats/format_table.h"
 #include "formats/source.h"
 #include "formats/write.h"

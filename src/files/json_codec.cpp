@@ -1,6 +1,5 @@
 #include "files/json_codec.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "cages/edit.h"
 #include "deform/pose_io.h"
-#include "document/animation.h"
 #include "document/cage_making.h"
-#include "document/document.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "document/record.h"

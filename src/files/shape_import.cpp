@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/numbered_files.h"
 #include "base/text.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"

@@ -6,7 +6,6 @@
 #include <deque>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "base/error.h"
 #include "formats/printed.h"

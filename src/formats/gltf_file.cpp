@@ -1,11 +1,8 @@
 #include "formats/gltf_file.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <utility>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,8 +9,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/gltf_accessors.h"
-#include "formats/gltf_file.h"
 #include "formats/printed.h"
 
 namespace viete::formats {
