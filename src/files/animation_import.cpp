@@ -9,7 +9,6 @@
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "deform/pose_io.h"
-#include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "files/shape_import.h"
 #include "formats/format_table.h"

@@ -3,18 +3,14 @@
 #include <doctest/doctest.h>
 
 #include "document/edit.h"
-#include "document/pose_edit.h"
-#include "files/output.h"
 #include "files/session.h"
 #include "formats/read.h"
-#include "interact/grip.h"
 #include "interact/placing.h"
 #include "interact/transform.h"
 #include "support/commands.h"
 #include "support/files.h"
 #include "support/grips.h"
 #include "support/open.h"
-#include "support/posed_cube.h"
 #include "support/text.h"
 #include "workspace/command.h"
 
