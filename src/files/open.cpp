@@ -10,7 +10,6 @@
 #include "document/cage_making.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
-#include "document/record.h"
 #include "files/animation_import.h"
 #include "files/output.h"
 #include "files/shape_import.h"
@@ -158,22 +157,6 @@ Opened open_poses(const std::vector<fs::path>& files, const document::Document& 
   return opened;
 }
 
-Opened open_shape_keys(const fs::path& file, const document::Document& current, base::Progress* progress);
-bool is_cache_of(const fs::path& file, const document::Document& current);
-
-Opened open_animation(const fs::path& file, const document::Document& current, base::Progress* progress) {
-  if (current.model.surface && (!current.has_cage() || is_cache_of(file, current)))
-    return open_shape_keys(file, current, progress);
-  Opened opened = of_open_cage(file, current);
-  const ImportTimes times{current.timeline.first, current.timeline.rate};
-  ImportedKeys read = read_keys(file, *current.cage, times, progress);
-  opened.keys = std::move(read.keys);
-  check_imported(opened);
-  opened.warnings = std::move(read.warnings);
-  for (auto& path : read.files) opened.also_read.push_back({std::move(path), document::the_keys});
-  return opened;
-}
-
 // Computes the log vectors of the shapes now, because this function runs in the background.
 void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
                        std::span<const document::SharedShape> shapes, base::Progress* progress) {
@@ -232,6 +215,27 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
          std::make_shared<const document::WholePose>(document::WholePose{cage, {}, std::move(shape.shape)}),
          document::Easing::linear});
   opened.pose_of = current.cage;
+  return opened;
+}
+
+// Returns true for a point cache whose number of points matches the model but not the cage.
+bool is_cache_of(const fs::path& file, const document::Document& current) {
+  if (!current.model.surface || !formats::point_cache_format(file)) return false;
+  const std::size_t points = formats::PointCache(file).head().points;
+  return points == current.model.surface->positions.size() &&
+         !(current.has_cage() && points == current.cage->surface.positions.size());
+}
+
+Opened open_animation(const fs::path& file, const document::Document& current, base::Progress* progress) {
+  if (current.model.surface && (!current.has_cage() || is_cache_of(file, current)))
+    return open_shape_keys(file, current, progress);
+  Opened opened = of_open_cage(file, current);
+  const ImportTimes times{current.timeline.first, current.timeline.rate};
+  ImportedKeys read = read_keys(file, *current.cage, times, progress);
+  opened.keys = std::move(read.keys);
+  check_imported(opened);
+  opened.warnings = std::move(read.warnings);
+  for (auto& path : read.files) opened.also_read.push_back({std::move(path), document::the_keys});
   return opened;
 }
 
@@ -376,14 +380,6 @@ Opened open_dropped_pair(document::OpenedSurface model, document::OpenedSurface 
   set_cage(*opened.document, std::move(cage));
   take_warnings(opened);
   return opened;
-}
-
-// Returns true for a point cache whose number of points matches the model but not the cage.
-bool is_cache_of(const fs::path& file, const document::Document& current) {
-  if (!current.model.surface || !formats::point_cache_format(file)) return false;
-  const std::size_t points = formats::PointCache(file).head().points;
-  return points == current.model.surface->positions.size() &&
-         !(current.has_cage() && points == current.cage->surface.positions.size());
 }
 
 Opened open_dropped_shapes(const std::vector<fs::path>& files, const document::Document& current,
