@@ -224,11 +224,10 @@ private:
     for (std::size_t i = 0; i < corners; ++i) {
       text_.need_word("the last face");  // the next index can be on the next line
       const std::int64_t index = text_.integer("vertex index");
-      if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
+      if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count())
         text_.fail("face refers to vertex " + std::to_string(index) + ", the file has " +
                        std::to_string(builder_.vertex_count()) + ", counted from 0",
                    "export the model again");
-      }
       builder_.corner(static_cast<std::uint32_t>(index));
     }
     builder_.end_polygon();

@@ -165,9 +165,8 @@ private:
   void vertices(const PlyElement& element) {
     const std::array<std::size_t, 3> axes = {element.find("x"), element.find("y"), element.find("z")};
     for (const std::size_t axis : axes) {
-      if (axis == element.properties.size() || element.properties[axis].list_size) {
+      if (axis == element.properties.size() || element.properties[axis].list_size)
         throw base::Error(source_.name, "element vertex lacks x, y or z", "export the model again");
-      }
     }
     record(element, FileVectors::Kind::positions, {"x", "y", "z"});
     record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
@@ -257,10 +256,9 @@ private:
   void lists(const PlyElement& element, const std::shared_ptr<RowOfCorner>& row_of_corner,
              ReadList read_list) {
     const std::size_t wanted = element.find("vertex_indices", "vertex_index");
-    if (element.count > 0 && (wanted == element.properties.size() || !element.properties[wanted].list_size)) {
+    if (element.count > 0 && (wanted == element.properties.size() || !element.properties[wanted].list_size))
       throw base::Error(source_.name, "element " + element.name + " has no list vertex_indices",
                         "export the model again");
-    }
     const std::size_t texcoord = element.find("texcoord");
     const bool colors = find_colors(element), numbered = find(element, {"texnumber"}, &image_);
     std::uint32_t number = 0;
@@ -352,11 +350,10 @@ private:
 
   std::size_t list_length(const PlyProperty& property) {
     const std::int64_t length = values_.integer(*property.list_size);
-    if (length < 0 || static_cast<std::size_t>(length) > values_.most_values(property.type)) {
+    if (length < 0 || static_cast<std::size_t>(length) > values_.most_values(property.type))
       values_.fail("a list announces " + std::to_string(length) + " values, the file has room for " +
                        std::to_string(values_.most_values(property.type)),
                    "the file is damaged or cut short: export or copy it again");
-    }
     return static_cast<std::size_t>(length);
   }
 
@@ -370,11 +367,10 @@ private:
   }
 
   std::uint32_t checked(std::int64_t index) {
-    if (index < 0 || static_cast<std::size_t>(index) >= vertex_count_) {
+    if (index < 0 || static_cast<std::size_t>(index) >= vertex_count_)
       values_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
                        std::to_string(vertex_count_),
                    "export the model again");
-    }
     return static_cast<std::uint32_t>(index);
   }
 

@@ -70,12 +70,11 @@ void check_room(const PlyHeader& header, const TextCursor& text, const Source& s
   for (const PlyElement& e : header.elements) {
     const std::size_t row = least_row_bytes(e, ascii);
     if (row == 0) continue;
-    if (e.count > left / row) {
+    if (e.count > left / row)
       throw base::Error(source.name,
                         "the header announces " + std::to_string(e.count) + " elements " + in_quotes(e.name) +
                             ", the file has room for " + std::to_string(left / row),
                         "it seems to be truncated: export or copy it again");
-    }
     left -= e.count * row;
   }
 }

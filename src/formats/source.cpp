@@ -38,20 +38,17 @@ std::size_t regular_file_size(const fs::path& path) {
   if (path.empty()) throw base::Error("file name", "is empty", "choose a file");
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
-  if (status.type() == fs::file_type::not_found) {
+  if (status.type() == fs::file_type::not_found)
     throw base::Error(path.string(), "there is no such file", "check the path");
-  }
-  if (status.type() == fs::file_type::directory) {
+  if (status.type() == fs::file_type::directory)
     throw base::Error(path.string(), "this is a folder", "choose a file in it");
-  }
   if (code) {
     const bool circle = code == std::errc::too_many_symbolic_link_levels;
     throw base::Error(path.string(), "cannot be opened: " + code.message(),
                       circle ? "the link refers to itself: choose the file" : "check the permissions");
   }
-  if (status.type() != fs::file_type::regular) {
+  if (status.type() != fs::file_type::regular)
     throw base::Error(path.string(), "this is not a regular file", "copy the data into a file first");
-  }
   const auto size = fs::file_size(path, code);
   if (code) throw base::Error(path.string(), "cannot be opened: " + code.message());
   return static_cast<std::size_t>(size);
