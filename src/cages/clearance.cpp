@@ -249,10 +249,6 @@ float Clearance::at(const Place& p) const {
   return beyond > 0 ? std::hypot(value, std::sqrt(beyond) * static_cast<float>(grid_.step)) : value;
 }
 
-double Clearance::at(const Point& p) const {
-  return at(in_steps(p));
-}
-
 bool Clearance::is_clear(const Place& a, const Place& b, const Place& c, float radius, float margin) const {
   const Place middle = (1.0F / 3) * (a + b + c);
   const float here = at(middle);

@@ -68,7 +68,7 @@ public:
   float at_node(std::size_t index) const { return values_[index]; }
 
   /// Returns the clearance. Outside of the grid, returns a lower bound of the distance to the model.
-  double at(const Point& p) const;
+  double at(const Point& p) const { return at(in_steps(p)); }
 
   /// True if the clearance is at least `margin` at all samples on the triangle. The samples are about a grid
   /// step apart, and farther apart where the clearance is large. Does not test the corners.

@@ -24,10 +24,6 @@ AnimatedModel::AnimatedModel(const Export& model, const document::Timeline& time
   if (wish == Precision::fast && can_fuse()) make_fast(most, tried, progress);
 }
 
-bool AnimatedModel::has_cage() const {
-  return model_.cage->element_count() > 0;
-}
-
 document::WholePose AnimatedModel::pose(double frame) const {
   document::WholePose pose = animation_->at(frame);
   if (!has_cage()) pose.cage = deform::rest_pose(*model_.cage);

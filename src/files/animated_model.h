@@ -50,7 +50,7 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
 private:
-  bool has_cage() const;
+  bool has_cage() const { return model_.cage->element_count() > 0; }
   bool can_fuse() const;
   void take_notes(const deform::LogReport& report, const document::WholePose& pose,
                   const std::vector<std::string>& warnings);

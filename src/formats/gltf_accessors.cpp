@@ -95,10 +95,6 @@ GltfPlace GltfAccessors::of_view(int accessor, const GltfJson& data, std::size_t
   return {buffer, begin + offset, stride, count, size, true};
 }
 
-std::size_t GltfAccessors::components(int accessor) const {
-  return at(accessor).components;
-}
-
 bool GltfAccessors::holds_floats(int accessor, std::size_t components) const {
   const Accessor a = at(accessor);
   return a.sparse.is_null() && a.component == gltf_float && a.components == components;

@@ -25,7 +25,7 @@ public:
   std::size_t count(int accessor) const { return place(accessor).count; }
 
   /// Returns the number of components of each element, or 0 for a matrix.
-  std::size_t components(int accessor) const;
+  std::size_t components(int accessor) const { return at(accessor).components; }
 
   GltfPlace place(int accessor) const;
 

@@ -177,10 +177,6 @@ std::int64_t TextCursor::integer(std::string_view what) {
   return value;
 }
 
-std::string TextCursor::place() const {
-  return place(line_);
-}
-
 std::string TextCursor::place(std::size_t line) const {
   return std::string(name_) + ":" + std::to_string(line);
 }

@@ -66,7 +66,7 @@ public:
   std::string_view rest_of_word();
 
   /// Returns the place for messages, `name:line`.
-  std::string place() const;
+  std::string place() const { return place(line_); }
   std::string place(std::size_t line) const;
   [[noreturn]] void fail(const std::string& problem, const std::string& advice) const;
 
