@@ -71,7 +71,7 @@ public:
   std::optional<Made> make() {
     constexpr double most_closed = 0.5;  // relative to the model's diagonal; closes every gap
     for (double gap = wish_.gap; gap <= most_closed;) {
-      if (const auto shell = try_with(gap)) return finish(*shell, mirror_.has_value(), gap);
+      if (const auto shell = try_with(gap)) return finish(*shell, gap);
       if (!keeps_farther_from_passed_over()) gap = std::max(2 * gap, 0.5 * size() / cells());
     }
     return std::nullopt;
@@ -177,7 +177,7 @@ private:
   }
 
   std::optional<Shell> sound(std::optional<Shell> made) {
-    if (made && !is_sound(*made, mirror_.has_value())) made.reset();
+    if (made && !is_sound(*made)) made.reset();
     return made;
   }
 
@@ -239,8 +239,8 @@ private:
   }
 
   // Converts the cage to file coordinates and back, so that the check includes rounding errors.
-  bool is_sound(const Shell& half, bool mirrored) {
-    Shell shell = mirrored ? whole(half) : half;
+  bool is_sound(const Shell& half) {
+    Shell shell = mirror_ ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));
     const mesh::Surface cage = mesh::from_triangles(std::move(shell.positions), shell.triangles);
     const Soundness found =
@@ -271,18 +271,18 @@ private:
     return true;
   }
 
-  Made finish(const Shell& half, bool mirrored, double gap) {
+  Made finish(const Shell& half, double gap) {
     auto pairs = wish_.quads ? quad_pairs(half) : std::vector<TrianglePair>{};
-    if (mirrored) {
+    if (mirror_) {
       const auto image = static_cast<std::uint32_t>(half.triangles.size());
       for (std::size_t i = 0, n = pairs.size(); i < n; ++i)
         pairs.push_back({pairs[i][0] + image, pairs[i][1] + image});
     }
-    Shell shell = mirrored ? whole(half) : half;
+    Shell shell = mirror_ ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.out_of(p);
     made_.surface = with_quads(shell, pairs);
     made_.gap = gap;
-    if (mirrored) made_.mirror = mirror_;
+    made_.mirror = mirror_;
     if (shell.triangles.size() > wish_.triangles)
       made_.notes.push_back("the cage needs " + base::counted(shell.triangles.size(), "triangle") +
                             " to enclose the model with these settings");
