@@ -325,9 +325,7 @@ void ExamplePosing::begin_turn() {
 double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSettings& settings) {
   if (!std::ranges::equal(targets, given_)) energy_ = std::numeric_limits<double>::infinity();
   given_.assign(targets.begin(), targets.end());
-  targets_.clear();
-  for (std::size_t k = 0; k < pins_.size(); ++k)
-    targets_.push_back(targets[k] - (positions()[pins_[k].vertex] - at_pin(k, positions_)));
+  aim();
   if (!turns_) begin_turn();
   const Reach reach = reach_of_pins();
   const auto n = static_cast<Eigen::Index>(pins_.size()), m = static_cast<Eigen::Index>(examples_.size());
@@ -404,11 +402,27 @@ double ExamplePosing::show(const PosingSettings& settings) {
   for (std::size_t v = 0; v < rest.size(); ++v) positions_[v] = rest[v] + work_.ways[v] + left_[v];
   reach_targets();
   place_other_parts();
-  if (space_.coarse()) space_.follow(sum, positions_, pool_, model_positions_);
+  if (space_.coarse()) follow_clusters(sum);
   double farthest = 0;
   for (std::size_t v = 0; v < before_.size(); ++v)
     farthest = std::max(farthest, squared_norm(positions_[v] - before_[v]));
   return std::sqrt(farthest / std::max(area_, 1e-300));
+}
+
+// Sets targets_ so that the pinned vertices reach given_ if they keep their places relative to the clusters.
+void ExamplePosing::aim() {
+  targets_.clear();
+  for (std::size_t k = 0; k < pins_.size(); ++k)
+    targets_.push_back(given_[k] - (positions()[pins_[k].vertex] - at_pin(k, positions_)));
+}
+
+void ExamplePosing::follow_clusters(std::span<const LogTerm> sum) {
+  space_.follow(sum, positions_, pool_, model_positions_);
+  std::vector<Vec3> moves = positions_;
+  aim();
+  reach_targets();
+  for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = positions_[c] - moves[c];
+  space_.coarse()->move(moves, model_positions_, pool_);
 }
 
 // Moves the pins towards the targets. All other vertices of the pinned parts follow.

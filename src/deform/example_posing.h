@@ -45,8 +45,7 @@ struct PosingSettings {
 /// its minimum over x without pins is subtracted. Weights may be below 0 and above 1. Gauss-Newton steps with
 /// exact derivatives find w and G. For each w and G, a small linear system for the pins gives the best x. In
 /// a drag, one step per frame is enough. Not thread-safe. Results do not depend on the number of threads.
-/// If the space has a coarse model, x are its vertices. Hard pins then approach their targets in several
-/// steps, and solve() ends when they are nearer than 1e-5 * sqrt(area).
+/// If the space has a coarse model, x are its vertices.
 class ExamplePosing {
 public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
@@ -96,6 +95,8 @@ private:
   std::vector<double> sums_of_blocks(std::size_t begin, std::size_t end) const;
   Reach reach_of_pins() const;
   double show(const PosingSettings& settings);
+  void aim();
+  void follow_clusters(std::span<const LogTerm> sum);
   void reach_targets();
   void place_other_parts();
 
