@@ -202,9 +202,9 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
     const auto& sorted = looks.draft_triangles;
     coarse_.set_triangles(sorted.empty() ? seen.triangles : sorted, seen.positions.size());
     coarse_.set_looks(looks.draft_looks);
-    coarse_.share_images_of(surface_);
     coarse_.set_occlusion(mesh::picked(std::span(shading.occlusion), draft_->vertices));
   }
+  coarse_.share_images_of(surface_);  // without a draft, frees the images of the last model
   vertices_ = model.positions.size();
   colored_.reset();
   set_rest(document, shading);

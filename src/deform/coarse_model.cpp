@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/memory.h"
+#include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {
@@ -41,6 +42,34 @@ std::span<const CoarseModel::Term> CoarseModel::terms(std::size_t vertex) const 
   const Block& block = blocks_[vertex / vertices_per_block];
   const auto* starts = block.starts.data() + vertex % vertices_per_block;
   return std::span(block.terms).subspan(starts[0], starts[1] - starts[0]);
+}
+
+std::vector<double> CoarseModel::sizes() const {
+  std::vector<double> sizes;
+  for (std::size_t c = 0; c < surface_.positions.size(); ++c)
+    sizes.push_back(static_cast<double>(members_.of(c).size()));
+  return sizes;
+}
+
+std::size_t CoarseModel::adopt_clusters() {
+  const auto& p = surface_.positions;
+  std::vector<bool> has_area(p.size(), false);
+  for (const auto& [a, b, c] : surface_.triangles)
+    if (mesh::has_area(p[a], p[b], p[c])) has_area[a] = has_area[b] = has_area[c] = true;
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t c = 0; c < p.size(); ++c)
+    if (has_area[c]) others.push_back(c);
+  std::size_t count = 0;
+  if (others.empty() || others.size() == p.size()) return count;
+  const mesh::PointTree tree(p, std::move(others));
+  for (Block& block : blocks_) {
+    for (Term& term : block.terms) {
+      if (has_area[term.cluster]) continue;
+      term.cluster = tree.nearest(p[term.cluster]);
+      ++count;
+    }
+  }
+  return count;
 }
 
 std::vector<Vec3> CoarseModel::means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const {

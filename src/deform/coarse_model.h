@@ -40,6 +40,11 @@ public:
   const mesh::Surface& surface() const { return surface_; }
   /// A value at a vertex is the sum of factor * (value at the cluster).
   std::span<const Term> terms(std::size_t vertex) const;
+  /// Returns the number of each cluster's members.
+  std::vector<double> sizes() const;
+  /// Lets the vertices of clusters without a triangle of nonzero area move with the nearest other cluster.
+  /// Returns the number of these vertices.
+  std::size_t adopt_clusters();
   /// Return the mean of each cluster's members. If the argument is empty or null, the result is too.
   std::vector<Vec3> means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const;
   Mask means(const Mask& mask) const;

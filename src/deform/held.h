@@ -10,8 +10,9 @@
 namespace viete::deform {
 
 struct HangingParts {
-  mesh::Adjacency vertices;  ///< vertices of each connected part
-  std::vector<bool> loose;   ///< true: the vertex has no triangles and belongs to no part
+  mesh::Adjacency vertices;    ///< vertices of each connected part
+  std::vector<bool> loose;     ///< true: the vertex has no triangles and belongs to no part
+  std::vector<double> masses;  ///< factor of each vertex's weight in its anchor; if empty, all are 1
 
   std::size_t count() const { return vertices.starts.size() - 1; }
 };

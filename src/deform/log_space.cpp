@@ -190,6 +190,7 @@ SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
   });
   const SparseMatrix stiffness = stiffness_matrix(rest_, placed_);
   find_parts(connected(stiffness));
+  parts_.masses = mesh.masses;
   std::vector<bool> free(rest_.size());
   for (std::uint32_t v = 0; v < rest_.size(); ++v) free[v] = !parts_.loose[v] && places_[v] == v;
   for (const auto v : grounded_) free[v] = false;

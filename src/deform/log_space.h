@@ -73,6 +73,7 @@ public:
     std::span<const std::uint8_t> degenerate;  ///< 1: the triangle has no area and is ignored
     std::span<const std::uint32_t> parts;      ///< per triangle, an index into LogVector::wholes
     std::size_t part_count = 0;
+    std::vector<double> masses{};  ///< see HangingParts
   };
   /// The buffers of one thread. Reuse avoids allocations.
   struct Work {

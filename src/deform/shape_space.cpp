@@ -17,9 +17,11 @@ namespace {
 
 using Mat = sym3::Mat3<double>;
 
+constexpr double coarse_part = 0.5;  // of the time
 constexpr std::size_t triangles_at_once = 64, vertices_at_once = 256;
 // Limit of (s0 + s1) / s2 for singular values s0 <= s1 <= s2 of a map. Below it, the rotation is not unique.
 constexpr double tells_turn = 1e-3;
+constexpr double share_of_model = 0.01;  // see motions()
 constexpr int passes_of_folded = 8;
 // Limits, in radians, of a log's difference from a neighbour's log. Above `doubted`, the rotation becomes
 // doubtful; above `given_up`, the rotation is fully replaced.
@@ -100,23 +102,14 @@ private:
   std::vector<std::uint8_t> bad_;
 };
 
-// Returns nothing if all vertices can be solved, or if the model has so many small parts that many clusters
-// have no triangles and so no rotations.
+// Returns nothing if all vertices can be solved, or if the model has so many small parts that more than one
+// in a hundred vertices would have to adopt the rotation of another cluster.
 std::optional<CoarseModel> ShapeSpace::coarse_of(const mesh::Surface& rest, base::WorkerPool& pool,
                                                  base::Progress* progress) {
-  constexpr std::size_t most_straight = 100;  // one vertex in so many
   if (!needs_coarse_model(rest)) return {};
-  const base::ProgressPart part(progress, 0, 0.9);
+  const base::ProgressPart part(progress, 0, coarse_part);
   CoarseModel coarse(rest, pool, progress);
-  std::vector<bool> rotates(coarse.surface().positions.size(), false);
-  for (const auto& [a, b, c] : coarse.surface().triangles) {
-    const auto& p = coarse.surface().positions;
-    if (mesh::has_area(p[a], p[b], p[c])) rotates[a] = rotates[b] = rotates[c] = true;
-  }
-  std::size_t straight = 0;
-  for (std::size_t v = 0; v < rest.positions.size(); ++v)
-    straight += coarse.terms(v).size() == 1 && !rotates[coarse.terms(v)[0].cluster];
-  if (straight * most_straight > rest.positions.size()) return {};
+  if (100 * coarse.adopt_clusters() > rest.positions.size()) return {};
   return coarse;
 }
 
@@ -124,10 +117,12 @@ ShapeSpace::ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::
     : coarse_(coarse_of(rest, pool, progress)),
       triangles_(triangles_of(coarse_ ? coarse_->surface() : rest)),
       logs_([&] {
-        const base::ProgressPart part(progress, coarse_ ? 0.9 : 0, 1);
+        const base::ProgressPart part(progress, needs_coarse_model(rest) ? coarse_part : 0, 1);
         const auto& solved = coarse_ ? coarse_->surface() : rest;
         const std::vector<std::uint32_t> parts(solved.triangles.size(), 0);
-        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1}, pool, progress);
+        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1,
+                         coarse_ ? coarse_->sizes() : std::vector<double>()},
+                        pool, progress);
       }()) {
   if (coarse_) rest_ = rest.positions;
 }
@@ -229,19 +224,23 @@ LogVector ShapeSpace::at_rest() const {
 }
 
 // Returns the clusters' motions: the rotation is nearest to the mean of the maps of the triangles around it.
+// A little of the model's rotation is added, so that clusters that collapse rotate with the model.
 std::vector<RigidMotion> ShapeSpace::motions(std::span<const mesh::Point> posed,
                                              base::WorkerPool& pool) const {
   std::vector<Mat> sums(posed.size(), Mat{});
   for (std::size_t t = 0; t < triangles_.corners.size(); ++t) {
     if (triangles_.flat[t]) continue;
     const Mat map = map_to(posed, t).linear;
-    for (const auto c : triangles_.corners[t])
-      for (std::size_t k = 0; k < 9; ++k) sums[c][k] += triangles_.areas[t] * map[k];
+    for (const auto c : triangles_.corners[t]) sums[c] = sym3::plus(sums[c], triangles_.areas[t], map);
   }
+  Mat all{};
+  for (const Mat& sum : sums) all = sym3::plus(all, 1.0, sum);
+  const Mat of_model = sym3::polar(all).rotation;
+  const double share = share_of_model * sym3::norm(all) / static_cast<double>(sums.size());
   std::vector<RigidMotion> motions(posed.size());
   pool.for_blocks(posed.size(), vertices_at_once, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      motions[c].rotation = sym3::polar(sums[c]).rotation;
+      motions[c].rotation = sym3::polar(sym3::plus(sums[c], share, of_model)).rotation;
       motions[c].shift = posed[c] - times(motions[c].rotation, logs_.rest()[c]);
     }
   });

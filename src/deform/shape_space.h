@@ -33,7 +33,8 @@ struct ShapeReport {
 ///
 /// If the model needs_coarse_model() and has few small parts, the log space is that of the CoarseModel. Its
 /// triangles rotate the clusters, and the vertices follow their clusters: see R. W. Sumner et al., Embedded
-/// deformation for shape manipulation, 2007. LogVector::details reproduce the shape up to rounding.
+/// deformation for shape manipulation, 2007. LogVector::details reproduce the shape up to rounding, except at
+/// clusters beside collapsed clusters: there, rounding can decide the rotation.
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.

@@ -82,7 +82,7 @@ class Clusters {
 public:
   Clusters(const mesh::Surface& model, std::span<const mesh::Triangle> triangles)
       : model_(model), triangles_(triangles), level_(model.positions.size(), 0), masses_(level_.size(), 0) {
-    low_ = mesh::bounds(model.positions).low;
+    low_ = mesh::used_bounds(model).low;
     for (const auto& t : triangles) {
       const double third = mesh::area(model.positions, t) / 3;
       area_ += 3 * third;
@@ -147,8 +147,10 @@ private:
   std::uint64_t cell_of(std::uint32_t v) const {
     const double scale = (1u << level_[v]) / cell_;
     std::uint64_t key = level_[v];
-    for (std::size_t i = 0; i < 3; ++i)
-      key = key << 20 | (static_cast<std::uint64_t>((model_.positions[v][i] - low_[i]) * scale) & 0xfffff);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double place = std::clamp((model_.positions[v][i] - low_[i]) * scale, 0.0, 1e15);  // unused: any
+      key = key << 20 | (static_cast<std::uint64_t>(place) & 0xfffff);
+    }
     return key;
   }
 

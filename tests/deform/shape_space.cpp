@@ -241,6 +241,28 @@ TEST_CASE("shapes_of_large_models_twist_like_those_of_small_models" * doctest::t
   }
 }
 
+TEST_CASE("parts_of_large_models_that_are_tiny_or_collapse_move_without_jumps") {
+  const mesh::Surface limb = tube(420, 200, 0.3, 6),
+                      other = mapped(tube(30, 20, 0.1, 1), scaling(1, {2, 0, 0}));
+  mesh::Surface all = together(limb, other);
+  for (int i = 0; i < 50; ++i) all = together(all, mapped(box(), scaling(1e-5, {0.4, 0, 0.1 * i})));
+  all.positions.push_back({0, 0, 1e20});  // has no triangle, and must not make the grid of clusters coarse
+  Shapes s(all);
+  REQUIRE(s.space.coarse());
+  const auto turned = [&](double share) {
+    Points points = mapped(all.positions, similarity({0, 0, 1}, share * 176 * degree));
+    points.pop_back();
+    return points;
+  };
+  Points shape = turned(1);
+  shape.push_back(all.positions.back());
+  Points half = s.share(shape, 0.5);
+  half.pop_back();
+  CHECK(largest_distance(half, turned(0.5)) < 1e-9);
+  for (std::size_t v = 0; v < other.positions.size(); ++v) shape[limb.positions.size() + v] = {1, 1, 1};
+  CHECK(largest_distance(s.share(shape, 0.9999999), shape) < 1e-5);
+}
+
 TEST_CASE("many_small_parts_rotate_like_a_single_one") {
   const mesh::Surface one = mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 0.3, 0}}, {{0, 1, 2}});
   const Points end = mapped(one.positions, similarity({0, 0, 1}, 150 * degree));

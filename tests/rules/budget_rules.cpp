@@ -21,21 +21,21 @@ using Budget = std::map<std::string, std::size_t>;
 // Since their last rows: deform solves shapes of large models on clusters. app and mesh give drafts colours.
 const Budget lines_of_src = {
     {"analysis", 604}, {"app", 7329},      {"base", 2033},          {"bench", 4947},    {"blender", 591},
-    {"cages", 3478},   {"deform", 13608},  {"deform/sparse", 1277}, {"document", 5001}, {"files", 3791},
+    {"cages", 3478},   {"deform", 13647},  {"deform/sparse", 1277}, {"document", 5001}, {"files", 3791},
     {"formats", 8320}, {"interact", 2494}, {"library", 924},        {"mesh", 3022},     {"platform", 966},
     {"python", 1319},  {"render", 2248},   {"sym3", 6233},          {"ui", 5975},       {"workspace", 5836},
 };
-constexpr std::size_t all_lines_of_src = 79'996;
+constexpr std::size_t all_lines_of_src = 80'035;
 
 // deform tests shapes of large models, app the looks of drafts.
 const Budget lines_of_tests = {
     {"analysis", 284}, {"app", 1114},     {"assets", 244},   {"base", 795},      {"bench", 598},
-    {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7178},   {"document", 3038},
+    {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7200},   {"document", 3038},
     {"files", 2271},   {"formats", 3347}, {"fuzz", 381},     {"interact", 1456}, {"mesh", 1746},
     {"platform", 295}, {"program", 7034}, {"python", 751},   {"releases", 113},  {"render", 966},
     {"rules", 693},    {"support", 1348}, {"sym3", 3574},    {"ui", 13},         {"workspace", 2148},
 };
-constexpr std::size_t all_lines_of_tests = 41'278;
+constexpr std::size_t all_lines_of_tests = 41'300;
 
 constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'674;
 
