@@ -1,7 +1,6 @@
 #include "app/offscreen_viewer.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
+#include "base/text.h"
 #include "document/pose_edit.h"
 #include "files/animation_export.h"
 #include "workspace/apply_opened.h"
@@ -184,12 +184,6 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
-std::string plain(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", number);
-  return text;
-}
-
 }  // namespace
 
 std::string ffmpeg_command(const PictureRun& run) {
@@ -204,9 +198,9 @@ std::string ffmpeg_command(const PictureRun& run) {
   const std::string digits = "%0" + std::to_string(end - begin);
   pictures.replace(place, end - begin, digits + "d");
   // All players support 4:2:0, which needs an even width and height.
-  return "ffmpeg -framerate " + plain(run.rate) + " -start_number " + std::to_string(run.frames.front()) +
-         " -i " + shell_word(pictures) + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " +
-         shell_word(film + ".mp4");
+  return "ffmpeg -framerate " + base::formatted("%.9g", run.rate) + " -start_number " +
+         std::to_string(run.frames.front()) + " -i " + shell_word(pictures) +
+         " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " + shell_word(film + ".mp4");
 }
 
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -299,18 +298,12 @@ private:
       made_.notes.push_back("the margin could not be kept at " + base::counted(too_near_, "triangle") +
                             "; use a smaller margin or more triangles");
     if (gap > wish_.gap && first_ && (first_->handles > last_.handles || first_->parts > last_.parts)) {
-      made_.notes.push_back("closed gaps up to " + percent(2 * gap) +
+      made_.notes.push_back("closed gaps up to " + base::formatted("%.2g %%", 200 * gap) +
                             " of the model's diagonal: the cage has " + std::to_string(last_.parts) + " of " +
                             base::counted(first_->parts, "separate part") + " and " +
                             std::to_string(last_.handles) + " of " + base::counted(first_->handles, "hole") +
                             "; use more triangles to keep gaps open");
     }
-  }
-
-  static std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-    return text;
   }
 
   const Wish& wish_;

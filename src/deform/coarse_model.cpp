@@ -44,13 +44,6 @@ std::span<const CoarseModel::Term> CoarseModel::terms(std::size_t vertex) const 
   return std::span(block.terms).subspan(starts[0], starts[1] - starts[0]);
 }
 
-std::vector<double> CoarseModel::sizes() const {
-  std::vector<double> sizes;
-  for (std::size_t c = 0; c < surface_.positions.size(); ++c)
-    sizes.push_back(static_cast<double>(members_.of(c).size()));
-  return sizes;
-}
-
 std::size_t CoarseModel::adopt_clusters() {
   const auto& p = surface_.positions;
   std::vector<bool> has_area(p.size(), false);

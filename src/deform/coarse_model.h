@@ -38,10 +38,9 @@ public:
                        base::Progress* progress = nullptr);
 
   const mesh::Surface& surface() const { return surface_; }
+  const mesh::Adjacency& members() const { return members_; }
   /// A value at a vertex is the sum of factor * (value at the cluster).
   std::span<const Term> terms(std::size_t vertex) const;
-  /// Returns the number of each cluster's members.
-  std::vector<double> sizes() const;
   /// Lets the vertices of clusters without a triangle of nonzero area move with the nearest other cluster.
   /// Returns the number of these vertices.
   std::size_t adopt_clusters();

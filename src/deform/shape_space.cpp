@@ -120,9 +120,11 @@ ShapeSpace::ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::
         const base::ProgressPart part(progress, needs_coarse_model(rest) ? coarse_part : 0, 1);
         const auto& solved = coarse_ ? coarse_->surface() : rest;
         const std::vector<std::uint32_t> parts(solved.triangles.size(), 0);
-        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1,
-                         coarse_ ? coarse_->sizes() : std::vector<double>()},
-                        pool, progress);
+        std::vector<double> masses;
+        for (std::size_t c = 0; coarse_ && c < solved.positions.size(); ++c)
+          masses.push_back(static_cast<double>(coarse_->members().of(c).size()));
+        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1, masses}, pool,
+                        progress);
       }()) {
   if (coarse_) rest_ = rest.positions;
 }
@@ -195,13 +197,12 @@ std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, 
     Mat& part = sums[begin / triangles_at_once];
     for (std::size_t t = begin; t < end; ++t) {
       maps[t - begin] = map_to(positions, t);
-      for (std::size_t k = 0; k < 9; ++k) part[k] += triangles_.areas[t] * maps[t - begin].linear[k];
+      part = sym3::plus(part, triangles_.areas[t], maps[t - begin].linear);
     }
     split_maps(maps, std::span(places).first(end - begin), std::span(splits).subspan(begin, end - begin));
   });
   sum = {};
-  for (const Mat& part : sums)
-    for (std::size_t k = 0; k < 9; ++k) sum[k] += part[k];
+  for (const Mat& part : sums) sum = sym3::plus(sum, 1.0, part);
   return splits;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "base/error.h"
@@ -35,10 +34,8 @@ void check_size(const std::string& place, const mesh::Bounds& box, const SizeRan
   for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
   if (size <= range.most) size = box.diagonal();
   if (size == 0 || (size >= range.least && size <= range.most)) return;
-  char text[64], advice[64];
-  std::snprintf(text, sizeof text, "a size of %.2g cannot be %s", size, range.use);
-  std::snprintf(advice, sizeof advice, "scale it to a size between %g and %g", range.least, range.most);
-  throw base::Error(place, text, advice);
+  throw base::Error(place, base::formatted("a size of %.2g cannot be %s", size, range.use),
+                    base::formatted("scale it to a size between %g and %g", range.least, range.most));
 }
 
 void check_pose(const std::string& place, const std::vector<mesh::Point>& positions, const SizeRange& range) {

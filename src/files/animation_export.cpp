@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <optional>
@@ -169,14 +168,8 @@ struct MorphPlan {
   }
 };
 
-std::string plain(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
-}
-
 std::string frame_name(double frame) {
-  return "frame " + plain(frame);
+  return base::formatted("frame %.6g", frame);
 }
 
 void check_floats(std::span<const mesh::Point> pose, double frame) {
@@ -263,8 +256,8 @@ public:
     report.notes = notes_.take();
     report.summary = base::counted(plan.targets.size(), "morph target") +
                      " with linear interpolation, error up to " +
-                     plain(std::max(what_.tolerance, least_tolerance)) + " of the model's diagonal; " +
-                     engine_text(*model_);
+                     base::formatted("%.6g", std::max(what_.tolerance, least_tolerance)) +
+                     " of the model's diagonal; " + engine_text(*model_);
     return report;
   }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
 #include "document/checks.h"
 #include "formats/format_table.h"
@@ -107,9 +107,7 @@ std::string gltf_note(document::UpAxis up) {
 
 std::string at_most(double error) {
   const double half_a_digit = error > 0 ? 0.05 * std::pow(10.0, std::floor(std::log10(error))) : 0;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1e", error + half_a_digit);
-  return text;
+  return base::formatted("%.1e", error + half_a_digit);
 }
 
 std::string method_note(sym3::Method method, double worst_error) {

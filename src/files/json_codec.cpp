@@ -2,12 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/encoding.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "document/range.h"
 #include "formats/byte_order.h"
 #include "formats/foreign_content.h"
@@ -356,9 +356,8 @@ double JsonReader::number() const {
 
 double JsonReader::number(double least, double most) const {
   const double value = number();
-  char text[96];
-  std::snprintf(text, sizeof text, "the number %.6g must be from %.6g to %.6g", value, least, most);
-  if (!(value >= least && value <= most)) fail(text);
+  if (!(value >= least && value <= most))
+    fail(base::formatted("the number %.6g must be from %.6g to %.6g", value, least, most));
   return value;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace viete::formats {
 
@@ -56,14 +56,14 @@ char* without_zeros(char* from, char* to) {
 }
 
 [[noreturn]] void refuse(const std::string& place, std::size_t vertex, const mesh::Point& p, double largest) {
-  std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(), "the position of vertex %zu is invalid (%.3g %.3g %.3g)", vertex,
-                p[0], p[1], p[2]);
   if (!is_place(p))
-    throw base::Error(place, text.data(), "choose other weights, another blend, or a pose nearer to rest");
-  std::snprintf(text.data(), text.size(), "the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)",
-                vertex, largest, p[0], p[1], p[2]);
-  throw base::Error(place, text.data(),
+    throw base::Error(
+        place,
+        base::formatted("the position of vertex %zu is invalid (%.3g %.3g %.3g)", vertex, p[0], p[1], p[2]),
+        "choose other weights, another blend, or a pose nearer to rest");
+  throw base::Error(place,
+                    base::formatted("the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)", vertex,
+                                    largest, p[0], p[1], p[2]),
                     "scale the model, or save as .obj or .ply, which store larger numbers");
 }
 

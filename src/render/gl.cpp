@@ -1,9 +1,9 @@
 #include "render/gl.h"
 
-#include <cstdio>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace viete::render {
 
@@ -69,9 +69,7 @@ Gl load_gl(const GetProc& get) {
 void check_gl(const Gl& gl, const char* where) {
   const GLenum error = gl.GetError();
   if (error == GL_NO_ERROR) return;
-  char code[16];
-  std::snprintf(code, sizeof code, "0x%x", error);
-  throw base::Error(where, std::string("OpenGL reports error ") + code, "update the graphics driver");
+  throw base::Error(where, base::formatted("OpenGL reports error 0x%x", error), "update the graphics driver");
 }
 
 void bind_texture(const Gl& gl, int unit, const Texture& texture) {

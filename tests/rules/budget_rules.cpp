@@ -20,12 +20,12 @@ using Budget = std::map<std::string, std::size_t>;
 
 // Since their last rows: deform solves shapes of large models on clusters. app and mesh give drafts colours.
 const Budget lines_of_src = {
-    {"analysis", 604}, {"app", 7329},      {"base", 2033},          {"bench", 4947},    {"blender", 591},
-    {"cages", 3478},   {"deform", 13647},  {"deform/sparse", 1277}, {"document", 5001}, {"files", 3791},
+    {"analysis", 604}, {"app", 7323},      {"base", 2033},          {"bench", 4947},    {"blender", 591},
+    {"cages", 3471},   {"deform", 13637},  {"deform/sparse", 1277}, {"document", 4998}, {"files", 3781},
     {"formats", 8320}, {"interact", 2494}, {"library", 924},        {"mesh", 3022},     {"platform", 966},
-    {"python", 1319},  {"render", 2248},   {"sym3", 6233},          {"ui", 5975},       {"workspace", 5836},
+    {"python", 1319},  {"render", 2246},   {"sym3", 6233},          {"ui", 5975},       {"workspace", 5836},
 };
-constexpr std::size_t all_lines_of_src = 80'035;
+constexpr std::size_t all_lines_of_src = 79'997;
 
 // deform tests shapes of large models, app the looks of drafts.
 const Budget lines_of_tests = {
