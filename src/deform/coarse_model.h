@@ -41,8 +41,8 @@ public:
   const mesh::Adjacency& members() const { return members_; }
   /// A value at a vertex is the sum of factor * (value at the cluster).
   std::span<const Term> terms(std::size_t vertex) const;
-  /// Lets the vertices of clusters without a triangle of nonzero area move with the nearest other cluster.
-  /// Returns the number of these vertices.
+  /// Replaces clusters that have no triangle with an area: their vertices move with the nearest other
+  /// cluster. Returns the number of changed terms. Not thread-safe.
   std::size_t adopt_clusters();
   /// Return the mean of each cluster's members. If the argument is empty or null, the result is too.
   std::vector<Vec3> means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const;
