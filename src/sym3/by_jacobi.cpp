@@ -285,9 +285,9 @@ Sym3<double> log_in_double(const Sym3<double>& s) {
 }
 
 Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
+  if (!is_usable(s)) return nan_matrix<double>();
   if (has_huge_eigenvalues(s)) return times(inv_sqrt_in_double(times(s, 0x1p-8)), 0x1p-4);
-  const auto inv_sqrt = [](const auto& x) { return 1 / std::sqrt(jacobi::leading(x)); };
-  return is_usable(s) ? of_spectrum_above(0, inv_sqrt, s) : nan_matrix<double>();
+  return of_spectrum_above(0, [](const auto& x) { return 1 / std::sqrt(jacobi::leading(x)); }, s);
 }
 
 /// Negative eigenvalues above this number * largest entry are rounding errors. sqrt uses 0 instead.

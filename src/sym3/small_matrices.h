@@ -41,10 +41,10 @@ Sym3<T> square(const Sym3<T>& s) {
           s.xy * s.xz + s.yy * s.yz + s.yz * s.zz, s.xz * s.xz + s.yz * s.yz + s.zz * s.zz};
 }
 
-/// Returns true if eigenvalues may overflow. In this case functions compute with S / 256.
+/// Returns true if S is finite and its eigenvalues may overflow. In this case functions compute with S / 256.
 template <class T>
 bool has_huge_eigenvalues(const Sym3<T>& s) {
-  return !is_diagonal(s) && largest_entry(s) > std::numeric_limits<T>::max() / 4;
+  return is_finite(s) && !is_diagonal(s) && largest_entry(s) > std::numeric_limits<T>::max() / 4;
 }
 
 /// Returns log(256 S), from log(S).
