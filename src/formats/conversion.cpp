@@ -100,11 +100,26 @@ bool is_flat(const Attributes& attributes) {
   return !attributes.groups.empty() && std::ranges::none_of(attributes.groups, &Group::smooth);
 }
 
-void to_unit_range(std::span<Color> colors) {
-  if (std::ranges::none_of(colors, [](const Color& c) { return std::ranges::max(c) > 1; })) return;
-  for (Color& c : colors) {
-    for (std::size_t i = 0; i < 4 && c != Color{1, 1, 1, 1}; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
+WrittenColor::WrittenColor(std::size_t element, std::span<const double> numbers,
+                           std::span<const bool> are_whole)
+    : element(static_cast<std::uint32_t>(element)), color{0, 0, 0, 1} {
+  for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i) {
+    color[i] = static_cast<float>(std::clamp(numbers[i], 0.0, 255.0));
+    whole &= are_whole[i] || i == 3;
   }
+}
+
+std::vector<Color> colors_of_elements(std::span<const WrittenColor> written, std::size_t elements,
+                                      const Color& missing) {
+  float divisor[2] = {1, 1};  // of decimal and of whole colours
+  for (const auto& [element, color, whole] : written)
+    if (std::max({color[0], color[1], color[2], whole ? color[3] : 0}) > 1) divisor[whole] = 255;
+  std::vector<Color> colors(written.empty() ? 0 : elements, missing);
+  for (const auto& [element, color, whole] : written) {
+    for (std::size_t i = 0; i < 3; ++i) colors[element][i] = color[i] / divisor[whole];
+    colors[element][3] = color[3] > 1 ? color[3] / 255 : color[3];
+  }
+  return colors;
 }
 
 std::uint8_t color_byte(float value) {

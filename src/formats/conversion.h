@@ -37,8 +37,21 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const mesh::Surface& surf
 /// Returns true if there are groups and all groups have flat shading.
 bool is_flat(const Attributes& attributes);
 
-/// If any component exceeds 1, divides all by 255, except opacities of 1 and the colour (1, 1, 1, 1).
-void to_unit_range(std::span<Color> colors);
+/// A colour in a text file. Components are from 0 to 1 or from 0 to 255.
+struct WrittenColor {
+  std::uint32_t element = 0;  ///< index of the vertex or polygon
+  Color color{};
+  bool whole = true;  ///< true if red, green and blue are integers
+
+  /// `numbers` and `are_whole` are the results of TextCursor::numbers(): three or four, or none for black.
+  WrittenColor(std::size_t element, std::span<const double> numbers, std::span<const bool> are_whole);
+};
+
+/// Returns the colour of each element, in [0, 1], or no colours if `written` is empty. Elements without a
+/// colour get `missing`. If one of the whole colours exceeds 1, divides all whole colours by 255; likewise
+/// for the other colours. Opacities up to 1 stay.
+std::vector<Color> colors_of_elements(std::span<const WrittenColor> written, std::size_t elements,
+                                      const Color& missing);
 
 /// Converts a value in [0, 1] to an integer from 0 to 255. Values outside are clamped.
 std::uint8_t color_byte(float value);

@@ -20,7 +20,6 @@ namespace viete::formats {
 namespace {
 
 constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
-constexpr Color white{1, 1, 1, 1};
 
 // Collects attributes. An invalid attribute only causes a warning.
 class ObjAttributes {
@@ -30,12 +29,9 @@ public:
   // Reads the colour after x y z. Ignores fewer than three numbers: a single number is a weight.
   void behind_position(TextCursor& text, std::size_t vertex) {
     std::array<double, 4> values{};
-    const std::size_t count = text.numbers(values);
-    if (count < 3) return;
-    Color color = white;
-    for (std::size_t i = 0; i < count; ++i) color[i] = static_cast<float>(std::clamp(values[i], 0.0, 255.0));
-    found_.colors.resize(vertex, white);
-    found_.colors.push_back(color);
+    std::array<bool, 4> are_whole{};
+    const std::size_t count = text.numbers(values, are_whole);
+    if (count >= 3) colors_.emplace_back(vertex, std::span(values).first(count), are_whole);
   }
 
   std::size_t normal_count() const { return found_.normals.size(); }
@@ -116,8 +112,7 @@ public:
     for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
       if (!indices->empty()) indices->resize(corners, mesh::none);
     }
-    to_unit_range(found_.colors);
-    if (!found_.colors.empty()) found_.colors.resize(builder.vertex_count(), white);
+    found_.colors = colors_of_elements(colors_, builder.vertex_count(), {1, 1, 1, 1});
     finish_groups();
     files_ = read_materials(source_, libraries_, found_, builder);
     tell_bad(builder);
@@ -167,6 +162,7 @@ private:
 
   const Source& source_;
   Attributes found_;
+  std::vector<WrittenColor> colors_;
   Group state_;  // the group of the next faces
   bool changed_ = true;
   std::size_t polygons_ = 0;

@@ -51,13 +51,6 @@ std::optional<OffForm> off_form(std::string_view word) {
   return form;
 }
 
-Color off_color(std::span<const double> numbers) {
-  Color color{0, 0, 0, 1};
-  for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i)
-    color[i] = static_cast<float>(std::clamp(numbers[i], 0.0, 255.0));
-  return color;
-}
-
 class OffReader {
 public:
   explicit OffReader(const Source& source) : source_(source), text_(source, off_rules), builder_(source) {}
@@ -155,64 +148,53 @@ private:
     text_.next_line();
   }
 
-  std::span<const double> numbers(std::size_t most) {
-    return std::span(numbers_).first(text_.numbers(std::span(numbers_).first(most)));
+  // Reads at most `most` numbers of the row into numbers_. Later elements become 0. Returns the count.
+  std::size_t numbers(std::size_t most) {
+    numbers_.fill(0);
+    return text_.numbers(std::span(numbers_).first(most), are_whole_);
+  }
+
+  WrittenColor color(std::size_t element, std::size_t first, std::size_t count) const {
+    return {element, std::span(numbers_).subspan(first, count), std::span(are_whole_).subspan(first, count)};
   }
 
   // Reads the normal, colour (three or four numbers) and texture point that the keyword declares.
   void behind_position() {
     if (form_.numbers() == 0) return unnamed();
-    std::span<const double> left = numbers(form_.numbers());
-    const auto take = [&](std::size_t n) {
-      const auto taken = left.first(std::min(n, left.size()));
-      left = left.subspan(taken.size());
-      return taken;
-    };
-    const auto value = [](std::span<const double> of, std::size_t i) { return i < of.size() ? of[i] : 0; };
-    const auto color = [&](std::size_t most) { found_.colors.push_back(off_color(take(most))); };
-    if (form_.colors_first) color(4);
+    const std::size_t count = numbers(form_.numbers());
+    std::size_t at = form_.colors_first ? 4 : 0;
     if (form_.normals) {
-      const auto n = take(3);
-      found_.normals.push_back({value(n, 0), value(n, 1), value(n, 2)});
+      found_.normals.push_back({numbers_[at], numbers_[at + 1], numbers_[at + 2]});
+      at += 3;
     }
-    if (form_.colors && !form_.colors_first)
-      color(std::min<std::size_t>(4, left.size() - (form_.texture && left.size() >= 2 ? 2 : 0)));
-    if (form_.texture) {
-      const auto t = take(2);
-      found_.texture_points.push_back({value(t, 0), value(t, 1)});
+    if (form_.colors) {
+      const std::size_t left = count - std::min(at, count), behind = form_.texture && left >= 2 ? 2 : 0;
+      const std::size_t components = std::min<std::size_t>(4, form_.colors_first ? count : left - behind);
+      colors_.push_back(color(builder_.vertex_count() - 1, form_.colors_first ? 0 : at, components));
+      if (!form_.colors_first) at += components;
     }
+    if (form_.texture) found_.texture_points.push_back({numbers_[at], numbers_[at + 1]});
   }
 
   // Reads values that the keyword does not declare. Three or four non-negative numbers are a colour.
   void unnamed() {
     if (text_.at_line_end()) return;
-    const auto behind = numbers(5);
-    const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
-                          std::ranges::all_of(behind, [](double x) { return x >= 0; });
+    const std::size_t count = numbers(5);
+    const bool is_color =
+        (count == 3 || count == 4) && std::ranges::all_of(numbers_, [](double x) { return x >= 0; });
     if (!is_color) ++unknown_rows_;
-    if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, off_color(behind));
-  }
-
-  // Returns one colour for each element, or no colours if none are given. Missing colours become the default.
-  static std::vector<Color> spread(const std::vector<std::pair<std::size_t, Color>>& given,
-                                   std::size_t count) {
-    std::vector<Color> colors;
-    for (const auto& [at, color] : given) colors.push_back(color);
-    to_unit_range(colors);
-    std::vector<Color> all(given.empty() ? 0 : count, Material{}.base_color);
-    for (std::size_t i = 0; i < colors.size(); ++i) all[given[i].first] = colors[i];
-    return all;
+    if (is_color) colors_.push_back(color(builder_.vertex_count() - 1, 0, count));
   }
 
   std::shared_ptr<const Attributes> finished_attributes() {
-    to_unit_range(found_.colors);
+    const Color missing = Material{}.base_color;
     if (unknown_rows_ > 0) {
       builder_.warn(source_.name + ": ignored undeclared values after the positions of " +
                     base::counted(unknown_rows_, "vertex row"));
-    } else if (!unnamed_colors_.empty()) {
-      found_.colors = spread(unnamed_colors_, builder_.vertex_count());
+    } else {
+      found_.colors = colors_of_elements(colors_, builder_.vertex_count(), missing);
     }
-    found_.polygon_colors = spread(face_colors_, builder_.surface().polygon_count());
+    found_.polygon_colors = colors_of_elements(face_colors_, builder_.surface().polygon_count(), missing);
     if (form_.normals) found_.corner_normal = builder_.surface().corners;
     if (form_.texture) found_.corner_texture = builder_.surface().corners;
     if (found_.empty()) return nullptr;
@@ -237,8 +219,8 @@ private:
 
   // Reads three or four numbers after the corners. Ignores a single number: an index into a colour map.
   void face_color(std::size_t polygon) {
-    const auto behind = numbers(4);
-    if (behind.size() >= 3) face_colors_.emplace_back(polygon, off_color(behind));
+    const std::size_t count = numbers(4);
+    if (count >= 3) face_colors_.push_back(color(polygon, 0, count));
   }
 
   const Source& source_;
@@ -246,8 +228,9 @@ private:
   SurfaceBuilder builder_;
   std::vector<FileVectors::Places> positions_, normals_;
   OffForm form_;
-  std::array<double, 9> numbers_{};                                          // numbers of the current row
-  std::vector<std::pair<std::size_t, Color>> unnamed_colors_, face_colors_;  // with vertex or polygon index
+  std::array<double, 9> numbers_{};  // numbers of the current row
+  std::array<bool, 9> are_whole_{};
+  std::vector<WrittenColor> colors_, face_colors_;  // of vertices, of polygons
   std::size_t unknown_rows_ = 0;
   Attributes found_;
 };

@@ -143,11 +143,13 @@ double TextCursor::unusual_number(const char* from) {
   fail(in_quotes(text) + " is not a number", advice_on(text));
 }
 
-std::size_t TextCursor::numbers(std::span<double> to) {
+std::size_t TextCursor::numbers(std::span<double> to, std::span<bool> are_whole) {
   for (std::size_t count = 0; count < to.size(); ++count) {
-    const auto value = at_line_end() ? std::nullopt : number_in(word());
+    const std::string_view text = at_line_end() ? std::string_view() : word();
+    const auto value = number_in(text);
     if (!value) return count;
     to[count] = *value;
+    if (count < are_whole.size()) are_whole[count] = text.find_first_of(".eE") == text.npos;
   }
   return to.size();
 }

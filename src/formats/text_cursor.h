@@ -54,7 +54,8 @@ public:
   double coordinate();
 
   /// Reads numbers of this line until `to` is full or a word is not a number. Returns the count of numbers.
-  std::size_t numbers(std::span<double> to);
+  /// are_whole[i] becomes true if number i has no decimal point and no exponent; are_whole can be shorter.
+  std::size_t numbers(std::span<double> to, std::span<bool> are_whole = {});
 
   /// Reads the next word as an integer. `what` is its name in messages, such as "face index".
   std::int64_t integer(std::string_view what);

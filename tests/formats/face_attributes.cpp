@@ -47,6 +47,26 @@ TEST_CASE("off_face_colours_may_be_bytes_fractions_or_missing") {
   CHECK(face_colors(head + "3 0 2 1 7\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "off").empty());
 }
 
+TEST_CASE("colours_of_integers_and_of_decimals_are_scaled_separately") {
+  const std::string head = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  CHECK(face_colors(head + "3 0 2 1 255 0 51\n3 0 1 3 1.0 0.5 0.0\n3 0 3 2 0 0 1 0.5\n3 1 2 3 0.25 0 1 255\n",
+                    "off") ==
+        std::vector<Color>{{1, 0, 0.2F, 1}, {1, 0.5F, 0, 1}, {0, 0, 1 / 255.0F, 0.5F}, {0.25F, 0, 1, 1}});
+  CHECK(face_colors(head + "3 0 2 1 1 0 0\n3 0 1 3 1.0 0.5 0.0\n3 0 3 2 0 0 1\n3 1 2 3 127.5 0 0\n", "off") ==
+        std::vector<Color>{{1, 0, 0, 1}, {1 / 255.0F, 0.5F / 255, 0, 1}, {0, 0, 1, 1}, {0.5F, 0, 0, 1}});
+  const std::vector<Color> mixed = {{1, 0, 0, 1}, {0.5F, 0.5F, 0.5F, 1}, {0, 0.2F, 0, 1}};
+  for (const std::string start : {"OFF", "COFF", "obj"}) {
+    const bool obj = start == "obj";
+    const std::string v = obj ? "v " : "";
+    const ReadResult read =
+        test::read_kept((obj ? "" : start + "\n3 1 0\n") + v + "0 0 0 255 0 0\n" + v + "1 0 0 0.5 0.5 0.5\n" +
+                            v + "0 1 0 0 51 0\n" + (obj ? "f 1 2 3\n" : "3 0 1 2\n"),
+                        obj ? "obj" : "off");
+    REQUIRE(read.attributes);
+    CHECK(read.attributes->colors == mixed);
+  }
+}
+
 TEST_CASE("off_undeclared_colours_are_kept") {
   const test::TemporaryFolder folder;
   const std::string faces = "3 0 2 1 0 0 255\n3 0 1 2\n";
