@@ -29,4 +29,21 @@ double difference(const render::Image& a, const render::Image& b, int tolerance)
   return static_cast<double>(differing) / (static_cast<double>(a.rgba.size()) / 4);
 }
 
+render::Image shrunk(const render::Image& image, int cell) {
+  render::Image small{image.width / cell, image.height / cell, {}};
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      for (int channel = 0; channel < 4; ++channel) {
+        int sum = 0;
+        for (int i = 0; i < cell * cell; ++i) {
+          const int row = y * cell + i / cell, column = x * cell + i % cell;
+          sum += image.rgba[4 * (static_cast<std::size_t>(row) * image.width + column) + channel];
+        }
+        small.rgba.push_back(static_cast<std::uint8_t>(sum / (cell * cell)));
+      }
+    }
+  }
+  return small;
+}
+
 }  // namespace viete::test

@@ -14,4 +14,7 @@ render::Image read_png(const std::filesystem::path& path);
 /// differ, the test case fails.
 double difference(const render::Image& a, const render::Image& b, int tolerance);
 
+/// Returns the mean colours of cells of `cell` x `cell` pixels, without incomplete cells.
+render::Image shrunk(const render::Image& image, int cell);
+
 }  // namespace viete::test
