@@ -42,6 +42,11 @@ std::string visible(std::string_view text) {
 
 }  // namespace
 
+std::string cut(std::string_view text, std::size_t most) {
+  while (most > 0 && within_letter(text, most)) --most;
+  return std::string(text.substr(0, most));
+}
+
 std::string printable(std::string_view text, std::size_t most) {
   if (text.size() <= most) return visible(text);
   std::size_t head = most / 2, tail = text.size() - most / 2;

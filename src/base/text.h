@@ -12,6 +12,9 @@ namespace viete::base {
 /// replaces its middle.
 std::string printable(std::string_view text, std::size_t most = 2000);
 
+/// Returns the first bytes of the text, at most `most`, without splitting a UTF-8 character.
+std::string cut(std::string_view text, std::size_t most);
+
 /// Formats as printf() does. The result has at most 511 bytes.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 /// Returns text such as "50,000".

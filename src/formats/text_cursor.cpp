@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "mesh/surface.h"
 
 namespace viete::formats {
@@ -208,12 +209,7 @@ std::string in_quotes(std::string_view word) {
 
 std::string clipped(std::string_view comment) {
   const std::size_t from = std::min(comment.find_first_not_of("# \t"), comment.size());
-  comment = comment.substr(from);
-  if (comment.size() <= 200) return std::string(comment);
-  std::size_t size = 200;
-  while (size > 0 && (static_cast<unsigned char>(comment[size]) & 0xC0) == 0x80)
-    --size;  // avoids a cut inside a UTF-8 character
-  return std::string(comment.substr(0, size));
+  return base::cut(comment.substr(from), 200);
 }
 
 }  // namespace viete::formats

@@ -57,14 +57,14 @@ void run(workspace::Workspace& w, const workspace::Command& command) {
 void command_palette(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   workspace::Palette& palette = w.panels.palette;
-  if (!palette.open) return;
   const document::Viewport& v = w.view.viewport;
-  const Window window("Palette",
+  const Dialog dialog("Palette",
                       {.at = middle_at(ui, v.origin.y + 48),
                        .pivot = {0.5f, 0},
                        .size = {std::min(palette_width, v.window.x - 32), 0},
                        .border = 1},
                       fixed_flags);
+  if (!dialog) return;
   const bool appeared = palette.appearing;
   const std::string before = palette.typed;
   search_field(ui, "palette_text", palette.typed, palette.appearing);

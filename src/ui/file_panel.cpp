@@ -1,8 +1,11 @@
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <utility>
 
+#include "base/text.h"
 #include "ui/format.h"
 #include "ui/imgui_bridge.h"
 #include "ui/panels.h"
@@ -145,7 +148,26 @@ void format_buttons(const Context& ui, const std::vector<std::string_view>& form
   }
 }
 
-void filter_row(const Context& ui) {
+void set_filter(Browser& browser, const std::string& filter) {
+  if (filter == browser.filter) return;
+  browser.filter = filter;
+  browser.highlighted = browser.saves() && filter.empty() ? Browser::none : 0;
+  if (!browser.saves()) browser.path = browser.folder.string();
+}
+
+// Adds typed characters to the filter while no text field has the focus. Backspace removes the last one.
+void type_filter(Browser& browser) {
+  std::string filter = browser.filter;
+  if (key_pressed(workspace::Key::backspace, true) && !filter.empty())
+    filter = base::cut(filter, filter.size() - 1);
+  const ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
+  char text[256] = "";
+  if (!typed.empty()) ImTextStrToUtf8(text, sizeof text, typed.begin(), typed.end());
+  set_filter(browser, filter + text);
+}
+
+// Returns true if the filter has the keyboard focus.
+bool filter_row(const Context& ui) {
   Browser& browser = ui.workspace.files.browser;
   if (button(ui, "Up", "file_up", "Go to the parent folder.  (Backspace)"))
     workspace::enter(browser, browser.folder.parent_path());
@@ -155,14 +177,13 @@ void filter_row(const Context& ui) {
   constexpr float button_width = 53;
   const bool own_row = formats.empty() || formats.size() > 8;
   ImGui::SetNextItemWidth(own_row ? -1.0f : -button_width * static_cast<float>(formats.size()));
-  const std::string before = browser.filter;
-  text_field("##filter", "Filter", browser.filter, 0);
+  std::string filter = browser.filter;
+  text_field("##filter", "Filter", filter, 0);
   record(ui, "file_filter");
-  if (browser.filter != before) {
-    browser.highlighted = 0;
-    if (!browser.saves()) browser.path = browser.folder.string();
-  }
+  set_filter(browser, filter);
+  const bool typing = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
   format_buttons(ui, formats, own_row);
+  return typing;
 }
 
 // Returns the clicked entry. A click changes the list, so the click is handled after drawing.
@@ -213,24 +234,27 @@ void click_entry(workspace::Workspace& w, std::size_t index) {
 
 // Up and Down move the highlight, Enter confirms, Esc closes. If the filter is empty, Backspace goes to the
 // parent folder. Returns true if the highlight moved.
-bool handle_keys(const Context& ui, bool typing_path) {
+bool handle_keys(const Context& ui, bool typing_filter) {
   Browser& browser = ui.workspace.files.browser;
   const int steps = arrow_steps();
   if (steps != 0) workspace::move_highlight(browser, steps);
   if (key_pressed(workspace::Key::escape)) browser.open = false;
-  if (typing_path) return steps != 0;
+  const bool typing = ImGui::GetIO().WantTextInput;
+  if (typing && !typing_filter) return steps != 0;
   if (key_pressed(workspace::Key::backspace) && browser.filter.empty())
     workspace::enter(browser, browser.folder.parent_path());
-  if (key_pressed(workspace::Key::enter) && !browser.saves() && workspace::filters_by_path(browser)) {
+  if (!typing) type_filter(browser);
+  if (!enter_pressed()) return steps != 0;
+  const auto entries = workspace::shown(browser);
+  if (!browser.saves() && workspace::filters_by_path(browser)) {
     choose_typed(ui.workspace);
     browser.appearing = browser.open;
     return false;
   }
-  const auto entries = workspace::shown(browser);
-  if (key_pressed(workspace::Key::enter) && browser.highlighted < entries.size()) {
+  if (browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
     browser.appearing = browser.open;  // keeps the keyboard focus
-  } else if (key_pressed(workspace::Key::enter) && browser.saves()) {
+  } else if (browser.saves() && browser.filter.empty()) {
     confirm_typed(ui.workspace);
   }
   return steps != 0;
@@ -315,6 +339,25 @@ void button_row(const Context& ui) {
                                                    : choose_typed(ui.workspace);
 }
 
+void content(const Context& ui) {
+  Browser& browser = ui.workspace.files.browser;
+  path_field(ui);
+  path_note(ui);
+  const bool typing_filter = filter_row(ui);
+  browser.appearing = false;
+  const bool moved = browser.open && handle_keys(ui, typing_filter);
+  const float row = ImGui::GetFrameHeight() + 12;
+  ImGui::BeginChild("entries", {0, browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row},
+                    true);
+  const auto clicked = entry_list(ui, workspace::shown(browser), moved);
+  ImGui::EndChild();
+  record(ui, "file_list");
+  if (clicked) click_entry(ui.workspace, *clicked);
+  if (browser.makes_morphs()) morph_row(ui);
+  if (shows_pictures(browser)) picture_choices(ui);
+  button_row(ui);
+}
+
 }  // namespace
 
 void file_panel(const Context& ui) {
@@ -323,26 +366,12 @@ void file_panel(const Context& ui) {
   const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)}, middle = middle_of_view(ui);
   bool open = true;
   workspace::refresh(browser);
-  const Window window((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(),
+  const Dialog dialog((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(),
                       {.at = {std::clamp(middle.x, 0.5f * size.x, display.x - 0.5f * size.x),
                               std::clamp(middle.y, 0.5f * size.y, display.y - 0.5f * size.y)},
                        .size = size},
                       dialog_flags, &open);
-  path_field(ui);
-  const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
-  path_note(ui);
-  filter_row(ui);
-  browser.appearing = false;
-  const bool moved = browser.open && handle_keys(ui, typing_path);
-  const float row = ImGui::GetFrameHeight() + 12;
-  ImGui::BeginChild("entries", {0, browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row},
-                    true);
-  const auto clicked = entry_list(ui, workspace::shown(browser), moved);
-  ImGui::EndChild();
-  if (clicked) click_entry(ui.workspace, *clicked);
-  if (browser.makes_morphs()) morph_row(ui);
-  if (shows_pictures(browser)) picture_choices(ui);
-  button_row(ui);
+  if (dialog) content(ui);
   if (!open) browser.open = false;
   if (!browser.open) browser.asked.clear();  // later errors are shown as messages
 }

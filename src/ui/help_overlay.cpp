@@ -170,13 +170,13 @@ void close_keys(workspace::Workspace& w) {
 
 void key_list(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.panels.key_list.open) return;
   const document::Viewport& v = w.view.viewport;
   bool open = true;
-  const Window window("Keys and mouse",
+  const Dialog dialog("Keys and mouse",
                       {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
                        .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
                       dialog_flags, &open);
+  if (!dialog) return close_keys(w);
   command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
                  static_cast<std::size_t>(w.preferences.keymap.preset()));
   search_field(ui, "keys_text", w.panels.key_list.typed, w.panels.key_list.appearing);

@@ -48,8 +48,7 @@ void set_key(workspace::Workspace& workspace) {
 // Shortcuts are disabled during a mouse gesture, because they could change the dragged objects.
 void run_shortcuts(workspace::Workspace& workspace, const workspace::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || ImGui::IsAnyItemActive() || types_into_slider(workspace) || pointer.active() ||
-      workspace.files.question)
+  if (io.WantTextInput || ImGui::IsAnyItemActive() || types_into_slider(workspace) || pointer.active())
     return;
   for (const auto& command : workspace::commands()) {
     const workspace::Shortcuts keys = workspace.preferences.keymap.of(command);
@@ -59,7 +58,7 @@ void run_shortcuts(workspace::Workspace& workspace, const workspace::Pointer& po
   }
 }
 
-// If `keys` is false, the input contains no keys: a question or a widget has used the keyboard.
+// If `keys` is false, the input contains no keys: a dialog, a menu or a widget uses the keyboard.
 workspace::PointerInput pointer_input(bool keys) {
   const ImGuiIO& io = ImGui::GetIO();
   workspace::PointerInput input;
@@ -84,9 +83,9 @@ workspace::PointerInput pointer_input(bool keys) {
 
 void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer) {
   if (!workspace.view.interaction.setting_key.empty()) return set_key(workspace);
-  const bool escaped = take_escape(workspace), keys = !workspace.files.question && !escaped;
+  const bool keys = !take_escape(workspace) && !is_popup_open();
   pointer.frame(workspace, pointer_input(keys));
-  if (!escaped) run_shortcuts(workspace, pointer);
+  if (keys) run_shortcuts(workspace, pointer);
 }
 
 }  // namespace viete::ui

@@ -27,11 +27,12 @@ std::string message_text(const workspace::Message& message) {
 
 void message_log(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.panels.show_messages) return;
   const document::Viewport& v = w.view.viewport;
   bool open = true;
   const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.size.y - 32)};
-  const Window window("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
+  const Dialog dialog("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
+  w.panels.show_messages = open;
+  if (!dialog) return;
   const auto& all = w.messages.all();
   ImGui::BeginChild("list", {0, -(ImGui::GetFrameHeight() + 8)});
   if (all.empty()) note(ui, "No messages.");
@@ -44,8 +45,8 @@ void message_log(const Context& ui) {
   ImGui::EndChild();
   if (button(ui, "Clear", "clear_messages", "Clear the list of messages.")) w.messages.clear();
   ImGui::SameLine();
-  if (button(ui, "Close", "close_messages", "") || key_pressed(workspace::Key::escape)) open = false;
-  w.panels.show_messages = open;
+  if (button(ui, "Close", "close_messages", "") || key_pressed(workspace::Key::escape))
+    w.panels.show_messages = false;
 }
 
 namespace {
@@ -236,23 +237,13 @@ void question_words(const Context& ui) {
 }  // namespace
 
 void question_panel(const Context& ui) {
-  auto& question = ui.workspace.files.question;
-  if (!question) return;
-  ImGui::OpenPopup("Question");
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.42f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20, 16});
-  constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize;
-  if (ImGui::BeginPopupModal("Question", nullptr, flags)) {
-    question_words(ui);
-    const auto clicked = answer_row(ui), typed = answer_by_key(*question);
-    ui.workspace.jobs.requests.answer = clicked ? clicked : typed;
-    if (ui.workspace.jobs.requests.answer) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar(2);
+  const Dialog dialog("Question", {.at = {0.5f * display.x, 0.42f * display.y}, .padding = {20, 16}},
+                      sized_flags | ImGuiWindowFlags_NoNav);
+  if (!dialog) return;
+  question_words(ui);
+  const auto clicked = answer_row(ui), typed = answer_by_key(*ui.workspace.files.question);
+  ui.workspace.jobs.requests.answer = clicked ? clicked : typed;
 }
 
 namespace {

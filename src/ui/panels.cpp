@@ -58,6 +58,23 @@ void methods(const Context& ui) {
   analysis(ui);
 }
 
+// At most one dialog is drawn. A question hides the others until it is answered.
+void dialog(const Context& ui) {
+  const workspace::Workspace& w = ui.workspace;
+  if (w.files.question) {
+    question_panel(ui);
+  } else if (w.files.browser.open) {
+    file_panel(ui);
+  } else if (w.panels.palette.open) {
+    command_palette(ui);
+  } else if (w.panels.key_list.open) {
+    key_list(ui);
+  } else if (w.panels.show_messages) {
+    message_log(ui);
+  }
+  close_unused_dialog();
+}
+
 }  // namespace
 
 void draw_panels(const Context& ui) {
@@ -83,11 +100,7 @@ void draw_panels(const Context& ui) {
                                key_question(ui, bottom)}) -
                      44;
   toasts(ui, free);
-  if (ui.workspace.files.browser.open && !ui.workspace.files.question) file_panel(ui);
-  message_log(ui);
-  command_palette(ui);
-  key_list(ui);
-  question_panel(ui);
+  dialog(ui);
 }
 
 namespace {

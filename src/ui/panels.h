@@ -58,7 +58,7 @@ void split_overlay(const Context& ui);
 void panel_display(const Context& ui);
 void status_bar(const Context& ui);
 void file_panel(const Context& ui);
-void question_panel(const Context& ui);        ///< see workspace/messages.h
+void question_panel(const Context& ui);        ///< see workspace/messages.h; there must be a question
 void message_log(const Context& ui);           ///< all messages
 void toasts(const Context& ui, float bottom);  ///< recent messages, above `bottom`
 // The next four functions draw a notice above the height `bottom`. They return the height of the notice's

@@ -48,7 +48,16 @@ std::string typed_so_far(const Context& ui, const std::string& name, const std::
 
 }  // namespace
 
-Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags, bool* open) {
+namespace {
+
+// Sets the place and the style of the next window.
+class PlacedStyle {
+public:
+  explicit PlacedStyle(const Window::Place& place);
+  ~PlacedStyle() { ImGui::PopStyleVar(4); }  // menus and tooltips of the window have the usual style
+};
+
+PlacedStyle::PlacedStyle(const Window::Place& place) {
   ImGui::SetNextWindowPos(place.at, ImGuiCond_Always, place.pivot);
   if (place.size.x > 0) ImGui::SetNextWindowSize(place.size);
   const ImVec2 padding = place.padding.x < 0 ? ImGui::GetStyle().WindowPadding : place.padding;
@@ -56,12 +65,38 @@ Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags, boo
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, place.border);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(name, open, flags);
-  ImGui::PopStyleVar(4);  // menus and tooltips of the window have the usual style
+}
+
+}  // namespace
+
+Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags) {
+  const PlacedStyle style(place);
+  ImGui::Begin(name, nullptr, flags);
 }
 
 Window::~Window() {
   ImGui::End();
+}
+
+Dialog::Dialog(const char* name, const Window::Place& place, ImGuiWindowFlags flags, bool* open) {
+  const PlacedStyle style(place);
+  if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
+  shown_ = ImGui::BeginPopupModal(name, open, flags);
+}
+
+Dialog::~Dialog() {
+  if (shown_) ImGui::EndPopup();
+}
+
+void close_unused_dialog() {
+  const auto& open = GImGui->OpenPopupStack;
+  const ImGuiWindow* lowest = open.empty() ? nullptr : open[0].Window;
+  if (lowest && (lowest->Flags & ImGuiWindowFlags_Modal) && !lowest->Active)
+    ImGui::ClosePopupToLevel(0, true);
+}
+
+bool is_popup_open() {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 ImVec2 middle_at(const Context& ui, float y) {
@@ -198,21 +233,11 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
 
 namespace {
 
-// True if a dialog or a text field in another window is active. A tooltip would cover that window.
-bool is_behind_dialog() {
+// True if a text field in another window is active. A tooltip would cover that window.
+bool is_typing_elsewhere() {
   const ImGuiContext& g = *GImGui;
-  const ImGuiWindow* own = g.CurrentWindow->RootWindow;
-  if (g.IO.WantTextInput && g.ActiveIdWindow && g.ActiveIdWindow->RootWindow != own) return true;
-  constexpr auto no_dialog = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_ChildWindow |
-                             ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_Popup;
-  const auto is_dialog = [&](const ImGuiWindow* window) {
-    return window->WasActive && ((window->Flags & ImGuiWindowFlags_Modal) || !(window->Flags & no_dialog));
-  };
-  for (int i = g.Windows.Size; i-- > 0;) {
-    if (g.Windows[i] == own) return false;
-    if (is_dialog(g.Windows[i])) return true;
-  }
-  return false;
+  return g.IO.WantTextInput && g.ActiveIdWindow &&
+         g.ActiveIdWindow->RootWindow != g.CurrentWindow->RootWindow;
 }
 
 }  // namespace
@@ -220,14 +245,17 @@ bool is_behind_dialog() {
 bool wants_hint() {
   const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
   return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive() &&
-         !(tooltip && tooltip->Active) && !is_behind_dialog();
+         !(tooltip && tooltip->Active) && !is_typing_elsewhere();
 }
 
 bool take_escape(workspace::Workspace& w) {
   if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) workspace::begin_widget_edit(w);
-  if (w.files.question || !key_pressed(workspace::Key::escape)) return false;
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
-    ImGui::ClosePopupToLevel(0, true);
+  if (!key_pressed(workspace::Key::escape)) return false;
+  const auto& popups = GImGui->OpenPopupStack;
+  const bool in_dialog =
+      !popups.empty() && popups[0].Window && (popups[0].Window->Flags & ImGuiWindowFlags_Modal);
+  if (const int lists = in_dialog ? 1 : 0; popups.Size > lists) {
+    ImGui::ClosePopupToLevel(lists, true);
     return true;
   }
   // Text fields and the timeline handle Esc themselves.
@@ -268,10 +296,8 @@ std::string wrapped(const std::string& text, float width) {
 
 std::string shortened(std::string text, float width) {
   if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > width) {
-    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-    text.pop_back();
-  }
+  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > width)
+    text = base::cut(text, text.size() - 1);
   return text + "...";
 }
 

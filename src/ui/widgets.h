@@ -38,11 +38,30 @@ public:
     ImVec2 padding{-1, -1};  ///< -1: the default
     float border = 0;
   };
-  Window(const char* name, const Place& place, ImGuiWindowFlags flags, bool* open = nullptr);
+  Window(const char* name, const Place& place, ImGuiWindowFlags flags);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 };
+
+/// A modal dialog, until the end of the scope: mouse buttons and keys reach only this window.
+class Dialog {
+public:
+  /// `open`, if given, adds a close button, which sets `open` to false.
+  Dialog(const char* name, const Window::Place& place, ImGuiWindowFlags flags, bool* open = nullptr);
+  ~Dialog();
+  Dialog(const Dialog&) = delete;
+  Dialog& operator=(const Dialog&) = delete;
+  /// False if the dialog has no content in this picture, because it was just closed.
+  explicit operator bool() const { return shown_; }
+
+private:
+  bool shown_;
+};
+/// Call after all dialogs. Closes a dialog that was not drawn in this picture.
+void close_unused_dialog();
+/// True if a dialog, a menu or a list is open. It gets all keys.
+bool is_popup_open();
 
 /// The point at height y in the horizontal middle of the view.
 ImVec2 middle_at(const Context& ui, float y);
