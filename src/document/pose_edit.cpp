@@ -136,13 +136,6 @@ bool remix(Document& document, VectorCache& vectors, const std::string& label, C
   return true;
 }
 
-// Cuts the text to at most `most` bytes. Never splits a UTF-8 character.
-std::string cut(const std::string& text, std::size_t most) {
-  if (text.size() <= most) return text;
-  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
-  return text.substr(0, most);
-}
-
 }  // namespace
 
 bool PoseLibrary::mixes() const {
@@ -196,11 +189,11 @@ SharedPose unmixed_pose(const Document& document) {
 }
 
 std::string free_name(const PoseLibrary& library, const std::string& wish) {
-  const std::string base = wish.empty() ? "pose" : cut(wish, PoseLibrary::longest_name);
+  const std::string base = wish.empty() ? "pose" : base::cut(wish, PoseLibrary::longest_name);
   std::string name = base;
   for (int n = 2; std::ranges::count(library.poses, name, &NamedPose::name) > 0; ++n) {
     const std::string number = ' ' + std::to_string(n);
-    name = cut(base, PoseLibrary::longest_name - number.size()) + number;
+    name = base::cut(base, PoseLibrary::longest_name - number.size()) + number;
   }
   return name;
 }
@@ -227,10 +220,48 @@ void add_named(Document& document, std::vector<NamedPose> poses, const char* lab
   }
 }
 
+// After a change of weights that keeps the current pose: this pose is the mix upon the pose at rest.
+void mix_upon_rest(Document& document) {
+  document.library.mixed = shared_pose(document);
+  document.library.unmixed = rest_of(document);
+}
+
+// Sets the weight of a named pose, which the document must have, to 1 and the other weights to 0.
+void mix_only(Document& document, std::size_t pose) {
+  end_mix(document);
+  document.library.poses[pose].weight = 1;
+  mix_upon_rest(document);
+}
+
 }  // namespace
 
-std::size_t keep_pose(Document& document, const std::string& name) {
-  add_named(document, {{name, shared_pose(document)}}, "add pose");
+std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights) {
+  std::vector<MixedPose> mix;
+  for (std::size_t i = 0; i < library.poses.size(); ++i) {
+    const double weight = weights.empty() ? library.poses[i].weight : weights[i];
+    if (weight != 0)
+      mix.push_back({library.poses[i].name,
+                     std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight)});
+  }
+  return mix;
+}
+
+std::size_t keep_pose(Document& document, VectorCache& vectors, const std::string& name,
+                      std::span<const double> played) {
+  vectors.follow(document.cage);
+  vectors.follow_model(document.model.surface);
+  DocumentState weighted = state_of(document);
+  for (std::size_t i = 0; i < played.size(); ++i) weighted.library.poses[i].weight = played[i];
+  const SharedPose added = without_mix(document, weighted, vectors);
+  if (!in_range(*added))
+    throw base::Error("", "the current pose is too far from the weighted poses", "clear the weights first");
+  add_named(document, {{name, added}}, "add pose");
+  for (std::size_t i = 0; i < played.size(); ++i) document.library.poses[i].weight = played[i];
+  document.library.poses.back().weight = 1;
+  mix_upon_rest(document);
+  for (PoseKey& key : document.timeline.keys)
+    if (!key.mix.empty() && same_pose(*key.pose, *document.library.mixed))
+      key.mix = mixed_poses(document.library);
   return document.library.poses.size() - 1;
 }
 
@@ -249,16 +280,15 @@ void add_shapes(Document& document, std::vector<NamedShape> shapes) {
 
 void update_pose(Document& document, std::size_t pose) {
   record_edit(document, "update pose");
-  const SharedPose now = shared_pose(document);
-  end_mix(document);
-  document.library.poses[pose].pose = now;
+  document.library.poses[pose].pose = shared_pose(document);
+  mix_only(document, pose);
   rename_in_keys(document.timeline, document.library.poses[pose].name, "");
 }
 
 void apply_pose(Document& document, std::size_t pose) {
   record_edit(document, "apply pose");
-  end_mix(document);
   put_whole_pose(document, *document.library.poses[pose].pose);
+  mix_only(document, pose);
 }
 
 void rename_pose(Document& document, std::size_t pose, const std::string& name) {

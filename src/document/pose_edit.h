@@ -31,15 +31,22 @@ SharedPose unmixed_pose(const Document& document);
 /// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 
-/// Adds the current pose to the list, and returns its index. If the list is full, throws base::Error.
-std::size_t keep_pose(Document& document, const std::string& name);
+/// Returns the poses with nonzero weights. `weights` replaces the weights of the library if it is not empty.
+std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights = {});
+
+/// Adds the current pose, without the weighted poses, to the list with weight 1, and returns its index. The
+/// current pose and the other weights do not change. set_weight() explains `played`. If the list is full or
+/// the added pose is out of the drawable range, throws base::Error.
+std::size_t keep_pose(Document& document, VectorCache& vectors, const std::string& name,
+                      std::span<const double> played = {});
 /// Adds poses to the list. Throws errors of keep_pose().
 void add_poses(Document& document, std::vector<NamedPose> poses);
 /// Adds poses with these shapes to the list. Their cage is at rest. Throws errors of keep_pose().
 void add_shapes(Document& document, std::vector<NamedShape> shapes);
-/// Replaces a named pose by the current pose. Sets all weights to 0, and removes the pose from keys' mixes.
+/// Replaces a named pose by the current pose. Sets its weight to 1 and the other weights to 0, and removes the
+/// pose from keys' mixes.
 void update_pose(Document& document, std::size_t pose);
-/// Makes a named pose the current pose. Sets all weights to 0.
+/// Makes a named pose the current pose. Sets its weight to 1 and the other weights to 0.
 void apply_pose(Document& document, std::size_t pose);
 void rename_pose(Document& document, std::size_t pose, const std::string& name);
 /// Moves a pose to the place before pose `to`. If `to` is the number of poses, moves the pose to the end.

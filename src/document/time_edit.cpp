@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "document/pose_edit.h"
 #include "document/record.h"
 
 namespace viete::document {
@@ -35,17 +36,6 @@ Key& key_for(std::vector<Key>& keys, int frame) {
 void include(Timeline& timeline, int frame) {
   timeline.first = std::min(timeline.first, frame);
   timeline.last = std::max(timeline.last, frame);
-}
-
-std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights) {
-  std::vector<MixedPose> mix;
-  for (std::size_t i = 0; i < library.poses.size(); ++i) {
-    const double weight = weights.empty() ? library.poses[i].weight : weights[i];
-    if (weight != 0)
-      mix.push_back({library.poses[i].name,
-                     std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight)});
-  }
-  return mix;
 }
 
 void put_key(Timeline& timeline, int frame, const Document& document, std::span<const double> weights) {

@@ -50,6 +50,15 @@ bool same_probes(const Workspace& w, bool by_time) {
   return now == w.files.saved.state.probes;
 }
 
+// True if the named poses equal the saved ones. If `by_time`, ignores weights: another frame clears them.
+bool same_library(const Workspace& w, bool by_time) {
+  document::PoseLibrary now = w.document.library;
+  const auto& saved = w.files.saved.state.library;
+  for (std::size_t i = 0; by_time && i < std::min(now.poses.size(), saved.poses.size()); ++i)
+    now.poses[i].weight = saved.poses[i].weight;
+  return now == saved;
+}
+
 // True if the timeline is saved. An unkeyed pose can be saved in Timeline::unkeyed or as the document's pose.
 bool same_timeline(const Workspace& w) {
   document::Timeline now = w.document.timeline;
@@ -121,7 +130,7 @@ bool has_unsaved_edits(const Workspace& w) {
   const bool by_time = is_timeline_pose(w);
   auto& saved = w.files.saved;
   if (saved.recovered || w.document.cage != saved.state.cage || !same_probes(w, by_time) ||
-      w.document.groups.sets != saved.state.groups.sets || w.document.library != saved.state.library ||
+      w.document.groups.sets != saved.state.groups.sets || !same_library(w, by_time) ||
       !same_timeline(w) || !document::same_mask(w.document.mask, saved.state.mask))
     return true;
   return w.document.is_movable() &&

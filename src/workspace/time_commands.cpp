@@ -57,8 +57,14 @@ void try_edit(Workspace& w, const char* what, Edit edit) {
 
 void keep(Workspace& w) {
   try_edit(w, "poses", [&] {
-    const std::size_t n = w.document.library.poses.size();
-    w.view.chosen_pose = keep_pose(w.document, "Pose " + std::to_string(n + 1));
+    const auto& poses = w.document.library.poses;
+    const std::string name = "Pose " + std::to_string(poses.size() + 1);
+    w.view.chosen_pose = keep_pose(w.document, w.playback.vectors, name, shown_weights(w));
+    const document::SharedPose& added = poses.back().pose;
+    if (poses.size() > 1 && !document::same_pose(*added, *w.document.library.mixed) &&
+        document::same_pose(*added, *w.document.library.unmixed))
+      w.messages.info("The weighted poses already make the current pose, so " + poses.back().name +
+                      " adds nothing to them. Update pose stores the whole pose in it.");
   });
 }
 
@@ -152,11 +158,14 @@ void fit_range(Workspace& w) {
 
 void add_time_commands(CommandTable& table) {
   table.heading("Poses");
-  table.add("keep_pose", "Add pose", "Add the current pose to the list under a name.", can_pose, keep);
+  table.add("keep_pose", "Add pose",
+            "Add the current pose, without the weighted poses, to the list with the weight 100 %.", can_pose,
+            keep);
   table.add("apply_pose", {"Apply pose", "Apply"}, "Set model, cage and probes to the chosen pose.",
             has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.view.chosen_pose); });
-  table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current pose.",
-            has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.view.chosen_pose); });
+  table.add("update_pose", {"Update pose", "Update"},
+            "Replace the chosen pose by the whole current pose and clear the other weights.", has_chosen_pose,
+            [](Workspace& w) { update_pose(w.document, *w.view.chosen_pose); });
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/error.h"
 #include "document/cage_editing.h"
 #include "document/edit.h"
 #include "document/probes.h"
 #include "document/record.h"
+#include "document/time_edit.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"
 
@@ -62,10 +64,10 @@ TEST_CASE("poses_are_kept_applied_renamed_moved_duplicated_and_deleted_and_all_o
   Mixed m(false);
   const Document start = m.document;
   m.put(turned_cube(400));
-  CHECK(keep_pose(m.document, "turned") == 0);
+  CHECK(keep_pose(m.document, m.vectors, "turned") == 0);
   m.put(stretched_cube(3));
-  CHECK(keep_pose(m.document, "wide") == 1);
-  CHECK(keep_pose(m.document, "wide") == 2);
+  CHECK(keep_pose(m.document, m.vectors, "wide") == 1);
+  CHECK(keep_pose(m.document, m.vectors, "wide") == 2);
   CHECK(m.names() == Names{"turned", "wide", "wide 2"});
   apply_pose(m.document, 0);
   CHECK(m.document.pose.positions == turned_cube(400).positions);
@@ -112,7 +114,7 @@ TEST_CASE("unchanged_values_and_too_many_poses_are_no_edits") {
   CHECK(m.weigh(0, 0));
   CHECK(clear_mix(m.document, m.vectors));
   m.poses().resize(PoseLibrary::most_poses, m.poses().front());
-  CHECK_THROWS_AS(keep_pose(m.document, "one more"), base::Error);
+  CHECK_THROWS_AS(keep_pose(m.document, m.vectors, "one more"), base::Error);
   CHECK_THROWS_AS(add_poses(m.document, {m.poses().front()}), base::Error);
   CHECK_FALSE(m.document.history.can_undo());
 }
@@ -211,27 +213,90 @@ TEST_CASE("a_drag_edits_the_pose_below_the_mix") {
   CHECK(m.document.pose.turns[0][2] == doctest::Approx((65 + 360 + 22.5) / 180 * std::numbers::pi));
 }
 
-TEST_CASE("whole_poses_from_elsewhere_end_the_mix") {
-  const auto ended = [](auto put) {
+TEST_CASE("an_added_pose_has_the_weight_1_and_moves_nothing") {
+  Mixed m;
+  m.put(turned_cube(30));
+  const auto alone = m.positions();
+  CHECK(keep_pose(m.document, m.vectors, "alone") == 2);
+  CHECK(m.positions() == alone);
+  CHECK(m.poses()[2].weight == 1);
+  CHECK(m.weigh(2, 0.5));
+  CHECK(distance(m.positions(), turned_cube(15).positions) < 1e-12);
+  CHECK(m.weigh(2, 1));
+  CHECK(m.positions() == alone);
+  CHECK(m.weigh(2, 0));
+
+  CHECK(m.weigh(0, 0.5));
+  m.put(turned_cube(65));
+  CHECK(keep_pose(m.document, m.vectors, "upon another") == 3);
+  CHECK(m.positions() == turned_cube(65).positions);
+  CHECK(m.poses()[0].weight == 0.5);
+  CHECK(m.poses()[3].weight == 1);
+  CHECK(m.weigh(0, 0.25));
+  CHECK(distance(m.positions(), turned_cube(42.5).positions) < 1e-12);
+  CHECK(m.weigh(3, 0));
+  CHECK(distance(m.positions(), turned_cube(22.5).positions) < 1e-12);
+  CHECK(clear_mix(m.document, m.vectors));
+  CHECK(distance(m.positions(), turned_cube(0).positions) < 1e-12);
+  for (int i = 0; i < 3; ++i) undo(m.document);
+  CHECK(m.positions() == turned_cube(65).positions);
+  CHECK(m.poses()[3].weight == 1);
+  undo(m.document);
+  CHECK(m.poses().size() == 3);
+  CHECK(m.poses()[0].weight == 0.5);
+}
+
+TEST_CASE("a_pose_added_at_a_key_is_in_the_mix_of_the_key") {
+  Mixed m;
+  m.weigh(0, 0.5);
+  m.put(turned_cube(65));
+  set_key(m.document, 1);
+  REQUIRE(m.document.timeline.keys[0].mix.size() == 1);
+  SUBCASE("with the weights of the sliders") {
+    keep_pose(m.document, m.vectors, "edit");
+  }
+  SUBCASE("with the weights of the played pose") {
+    end_mix(m.document);
+    keep_pose(m.document, m.vectors, "edit", std::vector<double>{0.5, 0});
+  }
+  CHECK(m.poses()[0].weight == 0.5);
+  const auto& mix = m.document.timeline.keys[0].mix;
+  REQUIRE(mix.size() == 2);
+  CHECK(mix[1].name == "edit");
+  CHECK(mix[1].weight == 1);
+}
+
+TEST_CASE("a_whole_pose_in_the_list_has_the_weight_1_and_a_pose_from_elsewhere_ends_the_mix") {
+  const auto ended = [](auto put, std::optional<std::size_t> alone = {}) {
     Mixed m;
     m.weigh(0, 0.5);
     put(m.document);
-    CHECK_FALSE(m.document.library.mixes());
+    for (std::size_t i = 0; i < 2; ++i) CHECK(m.poses()[i].weight == (alone == i ? 1 : 0));
+    const auto shown = m.positions();
+    if (alone) {
+      m.weigh(*alone, 0.5);
+      m.weigh(*alone, 1);
+      CHECK(m.positions() == shown);
+      m.weigh(*alone, 0);
+      CHECK(m.positions() == turned_cube(0).positions);
+    }
     const auto there = m.document.pose.positions;
     m.weigh(0, 0.5);
     m.weigh(0, 0);
     CHECK(m.document.pose.positions == there);
   };
-  ended([](Document& d) { apply_pose(d, 1); });
-  ended([](Document& d) {  // applying a pose also ends cage editing
-    begin_cage_editing(d);
-    apply_pose(d, 1);
-    CHECK_FALSE(is_editing_cage(d));
-    CHECK(d.pose.positions == stretched_cube(2).positions);
-  });
+  ended([](Document& d) { apply_pose(d, 1); }, 1);
+  ended(
+      [](Document& d) {  // applying a pose also ends cage editing
+        begin_cage_editing(d);
+        apply_pose(d, 1);
+        CHECK_FALSE(is_editing_cage(d));
+        CHECK(d.pose.positions == stretched_cube(2).positions);
+      },
+      1);
   ended([](Document& d) { reset_pose(d); });
   ended([](Document& d) { set_pose(d, stretched_cube(3)); });
-  ended([](Document& d) { update_pose(d, 0); });
+  ended([](Document& d) { update_pose(d, 0); }, 0);
 }
 
 TEST_CASE("removing_a_mixed_pose_removes_its_motion") {

@@ -233,7 +233,7 @@ TEST_CASE("shapes_stay_when_the_model_gets_a_cage_and_poses_of_another_cage_go")
   CHECK(f.document().library.poses[0].pose->cage.positions == f.document().cage->surface.positions);
   f.document().changed_pose().positions[0][1] -= 0.3;
   f.document().put_shape(nullptr);
-  keep_pose(f.document(), "of the cage");
+  keep_pose(f.document(), f.w.playback.vectors, "of the cage");
   REQUIRE(f.weigh(0, 0.5));
   REQUIRE(f.weigh(2, 0.5));
   CHECK(f.document().shape);

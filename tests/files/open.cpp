@@ -376,7 +376,7 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   Workspace w = test::opened({files.model, files.cage});
   w.document.selection.select_all(8);
   save_set(w.document);
-  keep_pose(w.document, "stand");
+  keep_pose(w.document, w.playback.vectors, "stand");
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(test::open_now(w, {OpenRequest::What::cage, {files.pose}}));

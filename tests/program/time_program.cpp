@@ -60,6 +60,9 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   Timed d;
   d.keep("pose_alert");
   const auto alert = d.pose();
+  CHECK(d.document().library.poses[0].weight == 1);
+  d.type_weight("100");
+  CHECK(d.pose() == alert);
   d.keep("pose_flight");
   const auto flight = d.pose();
   REQUIRE(d.document().library.poses.size() == 2);

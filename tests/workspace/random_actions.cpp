@@ -174,10 +174,10 @@ private:
     Document& d = w.document;
     auto& poses = d.library.poses;
     if (is_dragging(w)) return;
-    if (poses.size() < 2) return void(keep_pose(d, "pose"));
+    if (poses.size() < 2) return void(keep_pose(d, w.playback.vectors, "pose"));
     const std::size_t pose = any_of(poses.size());
     switch (below(11)) {
-      case 0: return void(poses.size() < 9 ? keep_pose(d, "pose") : 0);
+      case 0: return void(poses.size() < 9 ? keep_pose(d, w.playback.vectors, "pose") : 0);
       case 1: return rename_pose(d, pose, "name " + std::to_string(below(5)));
       case 2: return move_pose(d, pose, any_of(poses.size() + 1));
       case 3: return remove_pose(d, w.playback.vectors, pose);
