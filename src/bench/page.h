@@ -34,6 +34,9 @@ std::vector<Section> sections_of(const Figures& figures);
 /// Returns the main results as tiles: values with their descriptions.
 std::string summary_of(const Figures& figures);
 
+/// The contents of page.css, which the build embeds in the program.
+const char* page_style();
+
 /// The time and the computer of the measurement.
 struct Made {
   std::string date, processor;                             ///< `date` is for example "2026-11-26 11:18 UTC"
