@@ -2,6 +2,7 @@
 // viete deform MODEL CAGE --stream: deforms continuously for another program.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -22,6 +23,7 @@
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
 #include "files/export.h"
+#include "formats/printed.h"
 #include "formats/source.h"
 
 namespace viete::app {
@@ -85,6 +87,16 @@ std::optional<std::vector<mesh::Point>> next_pose(std::size_t vertices, std::siz
   return positions;
 }
 
+// Prints a note if rounding to float changes coordinates much, and by more than the last note has stated.
+void note_rounding(std::span<const float> floats, double diagonal, double& noted) {
+  double farthest = 0;
+  for (const float x : floats) farthest = std::max<double>(farthest, std::abs(x));
+  const double rounding = 0x1p-24 * farthest;
+  if (rounding <= noted) return;
+  noted = 2 * rounding;
+  if (auto note = formats::rounding_note(noted, diagonal); !note.empty()) print_notes({std::move(note)});
+}
+
 void write_positions(const deform::Deformer& deformer, std::size_t number, std::vector<float>& floats) {
   const auto vertices = deformer.vertices();
   const mesh::Vec3 origin = deformer.origin();
@@ -113,12 +125,15 @@ void stream_poses(const files::Export& what) {
   const std::size_t vertices = what.cage->surface.positions.size();
   std::vector<float> floats;
   std::vector<mesh::Vec3> turns;
+  const double diagonal = mesh::bounds(what.model->positions).diagonal();
+  double noted = 0;
   for (std::size_t number = 1;; ++number) {
     auto positions = next_pose(vertices, number);
     if (!positions) return;
     deformer.deform({std::move(*positions), turns}, what.method);
     turns = deformer.state().report().turns;
     write_positions(deformer, number, floats);
+    note_rounding(floats, diagonal, noted);
   }
 }
 

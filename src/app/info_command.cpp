@@ -1,7 +1,10 @@
 // viete info [FILE...] [--cage CAGE]: prints the contents and defects of surface files.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/assets.h"
@@ -21,9 +24,19 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t named = 12;  // elements listed per finding
 
+// Prints as many digits as needed for six significant digits of the box's size.
+std::string box_text(const mesh::Bounds& box) {
+  const double far = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high)), size = box.diagonal();
+  const double more = far > size && size > 0 ? std::ceil(std::log10(far / size)) : 0;
+  const int digits = std::min(17, 6 + static_cast<int>(more));
+  const auto text = [digits](const mesh::Point& p) {
+    return base::formatted("(%.*g, %.*g, %.*g)", digits, p[0], digits, p[1], digits, p[2]);
+  };
+  return text(box.low) + " to " + text(box.high) + base::formatted(", diagonal %g", size);
+}
+
 void print(const document::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
-  const mesh::Bounds& box = surface.bounds;
   std::printf("%s\n", surface.path.string().c_str());
   std::printf("  format      %s\n", surface.format.c_str());
   std::printf("  vertices    %zu\n  polygons    %zu\n  triangles   %zu\n", f.vertices, f.polygons,
@@ -36,8 +49,7 @@ void print(const document::OpenedSurface& surface) {
     std::printf("  topology    genus %zu, %s\n", topology->genus,
                 topology->holes == 0 ? "no holes" : base::counted(topology->holes, "hole").c_str());
   }
-  std::printf("  box         (%g, %g, %g) to (%g, %g, %g), diagonal %g\n", box.low[0], box.low[1], box.low[2],
-              box.high[0], box.high[1], box.high[2], box.diagonal());
+  std::printf("  box         %s\n", box_text(surface.bounds).c_str());
   std::printf("  area        %g\n", f.area);
   if (f.closed()) std::printf("  volume      %g\n", f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());

@@ -56,8 +56,7 @@ void AnimatedModel::make_fast(double most, std::span<const double> tried, base::
 
 double AnimatedModel::fast_error() const {
   constexpr double unsampled_factor = 3;  // error of other vertices / error of the sample; <= 1.6 in tests
-  const double rounding = std::sqrt(3.0) * 0x1p-24 * farthest_;
-  return unsampled_factor * error_ + rounding / model_.cage->diagonal;
+  return unsampled_factor * error_;
 }
 
 deform::Probes AnimatedModel::probes(const document::WholePose& pose) const {
@@ -105,7 +104,10 @@ void AnimatedModel::take_notes(const deform::LogReport& report, const document::
 std::span<const float> AnimatedModel::floats(double frame) {
   floats_.resize(3 * model_.model->positions.size());
   const auto put = [&](std::size_t v, const mesh::Point& p) {
-    for (std::size_t i = 0; i < 3; ++i) floats_[3 * v + i] = static_cast<float>(p[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      floats_[3 * v + i] = static_cast<float>(p[i]);
+      rounding_ = std::max(rounding_, std::abs(floats_[3 * v + i] - p[i]));
+    }
   };
   if (precision() == Precision::exact) {
     const auto positions = exact(pose(frame)).positions;
@@ -117,9 +119,7 @@ std::span<const float> AnimatedModel::floats(double frame) {
   const mesh::Vec3 o = deformer_->origin();
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const float* p = vertices[v].position;
-    const mesh::Point place{o[0] + p[0], o[1] + p[1], o[2] + p[2]};
-    farthest_ = std::max(farthest_, mesh::largest_abs(place));
-    put(v, place);
+    put(v, {o[0] + p[0], o[1] + p[1], o[2] + p[2]});
   }
   return floats_;
 }

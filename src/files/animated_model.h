@@ -33,9 +33,12 @@ public:
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   Precision precision() const { return deformer_ ? Precision::fast : Precision::exact; }
-  /// Estimates the ratio: error of Precision::fast / diagonal of the cage. Includes the rounding in floats().
-  /// The error is measured at some vertices, in all frames computed so far; a factor covers other vertices.
+  /// Estimates the ratio: error of Precision::fast / diagonal of the cage. The error is measured at some
+  /// vertices, in all frames computed so far; a factor covers other vertices.
   double fast_error() const;
+
+  /// The largest change of a coordinate by the rounding in floats() so far.
+  double rounding() const { return rounding_; }
 
   document::WholePose pose(double frame) const;
   /// Returns the model's probes, posed by `pose`. Locked probes ignore `pose`.
@@ -64,7 +67,7 @@ private:
   std::unique_ptr<deform::Deformer> deformer_;    // null for Precision::exact
   std::unique_ptr<deform::ExactDeformer> exact_;  // created when first needed
   double error_ = 0;                              // the largest sampled error so far
-  double farthest_ = 0;                           // the largest |coordinate| that floats() has returned
+  double rounding_ = 0;
   std::vector<float> floats_;
   std::vector<std::string> notes_;
 };

@@ -35,9 +35,18 @@ std::array<double, 3> sample_frames(const std::vector<int>& frames) {
   return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
 }
 
-std::string engine_text(const AnimatedModel& model) {
-  if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double precision";
-  return "deformed in float, error up to " + at_most(model.fast_error()) + " of the cage's diagonal";
+// Includes the rounding of the file, if AnimatedModel::floats() computed the frames.
+std::string engine_text(const AnimatedModel& model, double cage_diagonal) {
+  const bool exact = model.precision() == AnimatedModel::Precision::exact;
+  const double rounding = std::sqrt(3.0) * model.rounding() / cage_diagonal;
+  if (exact && rounding == 0) return "deformed in double precision";
+  const double error = (exact ? 0 : model.fast_error()) + rounding;
+  return std::string("deformed in ") + (exact ? "double precision and rounded to float" : "float") +
+         ", error up to " + at_most(error) + " of the cage's diagonal";
+}
+
+double diagonal_of(const AnimationExport& what) {
+  return mesh::bounds(what.model.model->positions).diagonal();
 }
 
 // Collects notes of all frames. Equal texts appear only once.
@@ -89,14 +98,16 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
     notes.add(model.notes());
     return positions;
   });
+  if (auto note = formats::rounding_note(model.rounding(), diagonal_of(what)); !note.empty())
+    notes.add({std::move(note)});
   report.notes = notes.take();
   report.summary = base::counted(frames.size(), "frame") + " of " +
                    base::with_thousands(what.model.model->positions.size()) + " vertices, " +
-                   engine_text(model);
+                   engine_text(model, what.model.cage->diagonal);
   return report;
 }
 
-// Tolerance for rounding to float, relative to the coordinate.
+// Tolerance for rounding to float, relative to the distance from the model's centre.
 constexpr double float_noise = 0x1p-22;
 
 struct Sample {
@@ -125,7 +136,8 @@ std::vector<Sample> samples_of(const AnimationExport& what) {
 // the smallest and the largest allowed slope of each coordinate.
 class StraightLines {
 public:
-  explicit StraightLines(double tolerance) : reach_(tolerance / std::sqrt(3.0)) {}
+  StraightLines(double tolerance, const mesh::Point& center)
+      : reach_(tolerance / std::sqrt(3.0)), center_(center) {}
 
   void start(double frame, std::span<const mesh::Point> pose) {
     constexpr double any = std::numeric_limits<double>::infinity();
@@ -141,7 +153,7 @@ public:
     for (std::size_t v = 0; v < pose.size(); ++v) {
       for (std::size_t c = 0; c < 3; ++c) {
         const double change = pose[v][c] - from_[v][c],
-                     reach = std::max(reach_, float_noise * std::abs(pose[v][c]));
+                     reach = std::max(reach_, float_noise * std::abs(pose[v][c] - center_[c]));
         near &= flattest_[v][c] <= change / length && change / length <= steepest_[v][c];
         flattest_[v][c] = std::max(flattest_[v][c], (change - reach) / length);
         steepest_[v][c] = std::min(steepest_[v][c], (change + reach) / length);
@@ -152,6 +164,7 @@ public:
 
 private:
   double reach_, frame_ = 0;
+  mesh::Point center_;
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
@@ -187,8 +200,7 @@ class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
       : what_(what),
-        tolerance_(std::max(what.tolerance, least_tolerance) *
-                   std::max(mesh::bounds(what.model.model->positions).diagonal(), 1e-300)) {
+        tolerance_(std::max(what.tolerance, least_tolerance) * std::max(diagonal_of(what), 1e-300)) {
     if (progress) progress->section(0, 0.05);
     model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
                    std::min(fast_frame_error, 0.1 * what.tolerance), sample_frames(what.frames()), pool,
@@ -199,7 +211,7 @@ public:
     if (progress) progress->section(0.05, 0.7);
     const auto& rest = what_.model.model->positions;
     MorphPlan plan{{}, {}, std::vector<char>(rest.size(), 0)};
-    StraightLines lines(tolerance_);
+    StraightLines lines(tolerance_, mesh::bounds(rest).center());
     const auto is_still = [&](const mesh::Point& p, const mesh::Point& q) {
       return mesh::norm(p - q) <= tolerance_;
     };
@@ -215,7 +227,10 @@ public:
       const double frame = samples[i].frame;
       auto pose = at(frame);
       check_floats(pose, frame);
-      for (std::size_t v = 0; v < pose.size(); ++v) plan.moves[v] |= !is_still(pose[v], rest[v]);
+      for (std::size_t v = 0; v < pose.size(); ++v) {
+        plan.moves[v] |= !is_still(pose[v], rest[v]);
+        farthest_ = std::max(farthest_, mesh::largest_abs(pose[v] - rest[v]));
+      }
       if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
         take(samples[i - 1].frame, before);
         lines.lead_to(frame, pose);
@@ -255,9 +270,8 @@ public:
     AnimationReport report{.frames = plan.frames.size()};
     report.notes = notes_.take();
     report.summary = base::counted(plan.targets.size(), "morph target") +
-                     " with linear interpolation, error up to " +
-                     base::formatted("%.6g", std::max(what_.tolerance, least_tolerance)) +
-                     " of the model's diagonal; " + engine_text(*model_);
+                     " with linear interpolation, error up to " + error_text() +
+                     " of the model's diagonal; " + engine_text(*model_, what_.model.cage->diagonal);
     return report;
   }
 
@@ -268,6 +282,13 @@ private:
     auto positions = model_->positions(frame);
     notes_.add(model_->notes());
     return positions;
+  }
+
+  // The tolerance, and the rounding of the offsets if it is not negligible.
+  std::string error_text() const {
+    const double tolerance = std::max(what_.tolerance, least_tolerance), rounding = 0x1p-23 * farthest_;
+    if (rounding < 0.05 * tolerance_) return base::formatted("%.6g", tolerance);
+    return at_most(tolerance + rounding * tolerance / tolerance_);
   }
 
   // If the targets are too large, throws base::Error. The GLB format allows at most 4 GB.
@@ -283,7 +304,8 @@ private:
   }
 
   const AnimationExport& what_;
-  double tolerance_;  // in the model's unit
+  double tolerance_;     // in the model's unit
+  double farthest_ = 0;  // the largest change of a coordinate by a pose, in the model's unit
   std::optional<AnimatedModel> model_;
   FrameNotes notes_;
 };

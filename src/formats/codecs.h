@@ -68,8 +68,9 @@ bool looks_like_gltf(const Source& source);
 /// Returns true for a GLB file of version 2, or for JSON with an asset of version 2.
 bool is_certainly_gltf(const Beginning& file);
 /// Writes one node with one mesh and one primitive: float positions, texture points, normals, colours.
-/// Computes missing normals. A surface that is_flat() and has no normals stays without normals, because
-/// viewers then use flat shading. Polygons become triangles. If the GLB exceeds 4 GB, throws base::Error.
+/// Far from the origin, positions are relative to the node's translation. Computes missing normals. A surface
+/// that is_flat() and has no normals stays without normals, because viewers then use flat shading. Polygons
+/// become triangles. If the GLB exceeds 4 GB, throws base::Error.
 void write_glb(const Content& content, TextWriter& out);
 /// Works like write_glb(), but writes JSON with embedded buffers.
 void write_gltf(const Content& content, TextWriter& out);

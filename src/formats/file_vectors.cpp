@@ -49,6 +49,9 @@ public:
     advance();
   }
 
+  // Returns the largest rounding of a position by its number type.
+  double rounding() const { return rounding_; }
+
 private:
   std::string_view at(std::size_t place, NumberType type) const {
     const std::string_view rest = source_.bytes.substr(place);
@@ -112,10 +115,19 @@ private:
         throw base::Error(source_.place(vectors_.element, row),
                           "the new value exceeds the range of its number type in this file",
                           "save in another format, or scale the model");
+      if (are_positions_) rounding_ = std::max(rounding_, std::abs(stored(now[axis]) - now[axis]));
       if (words == written(before[axis], room_before)) continue;
       words_ = *words;
       place_ = vectors_.places(row)[axis];
     }
+  }
+
+  // Returns the value after conversion to the number type of the file.
+  double stored(double value) const {
+    return with_type(type_, [&](auto number) {
+      if (std::is_integral_v<decltype(number)>) return std::round(value);
+      return static_cast<double>(static_cast<decltype(number)>(value));
+    });
   }
 
   // Returns the text or bytes of the value for the file, or nullopt if the value exceeds the type's range.
@@ -153,6 +165,7 @@ private:
   NumberType type_ = NumberType::float64;  // type of the number at place_
   std::string_view words_;                 // new text or bytes of the number at place_
   std::array<char, 400> room_;
+  double rounding_ = 0;
 };
 
 class VectorOriginal final : public Original {
@@ -176,7 +189,11 @@ public:
       next->replace(rewriter);
     }
     rewriter.finish();
-    return {};
+    double rounding = 0;
+    for (const Changes& changes : all) rounding = std::max(rounding, changes.rounding());
+    std::string note = rounding_note(rounding, mesh::bounds(positions).diagonal());
+    if (note.empty()) return {};
+    return {std::move(note)};
   }
 
 private:

@@ -48,6 +48,7 @@ public:
     document["nodes"].push_back({{"mesh", 0}});
     list_normals();
     list_vertices();
+    choose_origin();
     document["meshes"][0]["primitives"].push_back(primitive());
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
@@ -112,6 +113,21 @@ private:
       vertices_.push_back({v, mesh::none, mesh::none, mesh::none});
   }
 
+  // Far from the origin, floats are too coarse for the model. Then the node's translation is its centre, as
+  // floats if they are precise enough, because many programs read the translation in single precision.
+  void choose_origin() {
+    mesh::Bounds box{positions_[vertices_[0].vertex], positions_[vertices_[0].vertex]};
+    for (const OutputVertex& v : vertices_) mesh::extend(box, positions_[v.vertex]);
+    const double size = box.diagonal(),
+                 far = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
+    if (far <= 4 * size || far > largest_float) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double centre = box.low[k] / 2 + box.high[k] / 2, rounded = static_cast<float>(centre);
+      origin_[k] = std::abs(rounded - centre) <= size ? rounded : centre;
+    }
+    document["nodes"][0]["translation"] = origin_;
+  }
+
   // Unmoved vertices get exactly the values of the file, so that the offsets are exactly 0.
   void add_target(GltfMorphs& out, const mesh::Surface& base, std::span<const mesh::Point> now,
                   bool with_normals) const {
@@ -123,7 +139,8 @@ private:
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       const OutputVertex& v = vertices_[i];
       const auto at = static_cast<std::ptrdiff_t>(3 * i);
-      if (now[v.vertex] != positions_[v.vertex]) std::ranges::copy(now[v.vertex], places.begin() + at);
+      if (now[v.vertex] != positions_[v.vertex])
+        std::ranges::copy(now[v.vertex] - origin_, places.begin() + at);
       if (!turns) continue;
       const mesh::Vec3& n = normals[v.normal];
       const double length = mesh::norm(n);
@@ -141,7 +158,7 @@ private:
     written_.primitives = {0};
     written_.positions = add_vectors(attributes["POSITION"], 3, [&](const OutputVertex& v, float* to) {
       check_written("glTF", v.vertex, positions_[v.vertex], largest_float);
-      for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k]);
+      for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k] - origin_[k]);
     });
     if (has(&OutputVertex::normal)) {
       written_.normals = add_vectors(attributes["NORMAL"], 3, [&](const OutputVertex& v, float* to) {
@@ -195,6 +212,7 @@ private:
 
   const mesh::Surface& surface_;
   std::span<const mesh::Point> positions_;
+  mesh::Vec3 origin_{0, 0, 0};  // the node's translation
   const Attributes& given_;
   std::vector<mesh::Vec3> normals_;
   std::vector<std::uint32_t> corner_normal_;  // indices into normals_

@@ -139,7 +139,11 @@ public:
     if (motion) put_morphs(*motion, progress);
   }
 
-  GltfRewritten take() && { return {std::move(document_), std::move(buffers_), std::move(notes_)}; }
+  GltfRewritten take() && {
+    if (std::string note = rounding_note(rounding_, mesh::bounds(posed_).diagonal()); !note.empty())
+      notes_.push_back(std::move(note));
+    return {std::move(document_), std::move(buffers_), std::move(notes_)};
+  }
 
 private:
   bool moves(std::size_t vertex) const {
@@ -254,7 +258,8 @@ private:
     return length > 0 ? unit_or_zero(length * unit - added) : unit;
   }
 
-  std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) const {
+  std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) {
+    const AffineMap& map = map_.placements[piece.placement].map;
     std::vector<float> values = floats(piece.positions, 3);
     const std::vector<double> added = differences(piece, &GltfTarget::positions);
     for (std::size_t i = 0; i < piece.count; ++i) {
@@ -263,6 +268,8 @@ private:
       const mesh::Point local = inverse.of_point(posed_[v]) - vector_at(added, i);
       check_written(file_.name, v, local, largest_float);
       set(values, 3 * i, local);
+      const mesh::Vec3 stored{values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+      rounding_ = std::max(rounding_, mesh::largest_abs(map.of_vector(stored - local)));
     }
     return values;
   }
@@ -479,6 +486,7 @@ private:
   std::vector<std::string> buffers_;
   std::vector<const GltfPiece*> moved_;
   std::vector<std::string> notes_;
+  double rounding_ = 0;  // the largest rounding of a coordinate, in scene units
   std::optional<GltfSharing> sharing_;
   std::map<Vertices, std::vector<std::size_t>> primitives_;
   std::vector<mesh::Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;

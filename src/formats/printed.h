@@ -61,4 +61,8 @@ void check_written(const std::string& place, std::size_t vertex, const mesh::Poi
 void check_written(const std::string& place, std::span<const mesh::Point> positions,
                    double largest = mesh::largest_coordinate);
 
+/// Returns a warning if the number type of a file changes a coordinate by more than 5e-7 of the model's
+/// diagonal, otherwise "". `error` is the largest change of a coordinate.
+std::string rounding_note(double error, double diagonal);
+
 }  // namespace viete::formats

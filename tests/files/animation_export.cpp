@@ -16,6 +16,7 @@
 #include "support/animated_cube.h"
 #include "support/ball.h"
 #include "support/distance.h"
+#include "support/far.h"
 #include "support/folder.h"
 #include "support/gltf.h"
 #include "support/text.h"
@@ -48,6 +49,19 @@ std::vector<std::size_t> file_vertices(const mesh::Surface& read, const mesh::Su
     own.push_back(static_cast<std::size_t>(at - read.positions.begin()));
   }
   return own;
+}
+
+// Returns the error in diagonals of the cage that a summary states, or 0.
+double stated_error(const std::string& summary) {
+  constexpr std::string_view words = "error up to ";
+  const auto at = summary.find(words);
+  return at == summary.npos ? 0 : std::stod(summary.substr(at + words.size()));
+}
+
+std::vector<mesh::Point> exact_positions(const AnimationExport& what, double frame) {
+  base::WorkerPool pool(1);
+  return AnimatedModel(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool)
+      .positions(frame);
 }
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -130,11 +144,9 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
     cube.document.scheme = way.scheme;
     const AnimationExport what = animation_export_of(cube.document, cube / "a.pc2");
     const std::string summary = write_animation(what).summary;
-    constexpr std::string_view words = "error up to ";
-    const auto at = summary.find(words);
-    if (at == summary.npos) continue;
+    const double stated = stated_error(summary) * cage.diagonal;
+    if (stated == 0) continue;
     ++in_float;
-    const double stated = std::stod(summary.substr(at + words.size())) * cage.diagonal;
     AnimatedModel exact(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
     const formats::PointCache cache(cube / "a.pc2");
     for (std::size_t i = 0; i < 17; i += 2)
@@ -179,6 +191,34 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
     CHECK(worst < tolerance * diagonal);
   }
   CHECK(before == 17);
+}
+
+TEST_CASE("far_animations_keep_their_positions_or_state_the_rounding") {
+  const test::TemporaryFolder folder;
+  formats::write(folder / "model.obj", test::far_away(test::cube(1)));
+  formats::write(folder / "cage.obj", test::far_away(test::cube(2)));
+  Document document = open_document(folder / "model.obj", folder / "cage.obj");
+  deform::Pose bent = deform::rest_pose(*document.cage);
+  for (const int v : {1, 2, 3}) bent.positions[v] = bent.positions[v] + mesh::Point{0.3, 0.7, 1};
+  document.timeline.keys = {{1, test::whole(deform::rest_pose(*document.cage))}, {9, test::whole(bent)}};
+  document.timeline.last = 9;
+  for (const char* name : {"a.pc2", "a.mdd"}) {
+    const AnimationExport what = animation_export_of(document, folder / name);
+    const AnimationReport report = write_animation(what);
+    CHECK(test::mentions(report.notes.at(0), "rounds coordinates by up to 0.2"));
+    const double error =
+        largest_distance(formats::PointCache(what.model.file).frame(8), exact_positions(what, 9));
+    CHECK(error > 0.1);
+    CHECK(error < stated_error(report.summary) * document.cage->diagonal);
+  }
+  const AnimationExport what = animation_export_of(document, folder / "a.glb");
+  CHECK(test::mentions(write_animation(what).summary, "error up to 0.0001"));
+  const auto read = formats::read(folder / "a.glb");
+  const auto own = file_vertices(read.surface, *document.model.surface);
+  const auto clip = read.original->morphs();
+  for (const std::size_t key : {std::size_t{0}, clip->seconds().size() - 1})
+    CHECK(largest_distance(mesh::picked<mesh::Point>(clip->at_key(key), own),
+                           exact_positions(what, 1 + 24 * clip->seconds()[key])) < 4e-6);
 }
 
 TEST_CASE("targets_without_normals_take_less") {

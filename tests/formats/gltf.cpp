@@ -4,6 +4,7 @@
 
 #include "formats/gltf_judge.h"
 #include "formats/write.h"
+#include "support/far.h"
 #include "support/folder.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
@@ -335,6 +336,24 @@ TEST_CASE("surface_beyond_float_range_is_not_written_as_glb") {
                        doctest::Contains("the position of vertex 0 is beyond 3.4e+38 (-1e+39 -1e+39 -1e+39)"),
                        base::Error);
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("far_models_keep_their_positions_in_gltf_by_a_translation_of_the_node") {
+  const test::TemporaryFolder folder;
+  const Surface near = test::cube(), far = test::far_away(near);
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    write(folder / name, far);
+    const ReadResult r = read(folder / name);
+    for (std::size_t c = 0; c < far.triangles.size(); ++c)
+      for (std::size_t k = 0; k < 3; ++k)
+        CHECK(norm(r.surface.positions[r.surface.triangles[c][k]] - far.positions[far.triangles[c][k]]) <
+              1e-6);
+    const std::vector<Point> posed = raised(r.surface, 1e-12);
+    CHECK(write(folder / "again.glb", {r.surface, posed, {}}, r.original.get(), {}).empty());
+    CHECK(norm(read(folder / "again.glb").surface.positions[0] - posed[0]) < 1e-6);
+  }
+  write(folder / "near.gltf", near);
+  CHECK_FALSE(holds(test::file_bytes(folder / "near.gltf"), "translation"));
 }
 
 TEST_CASE("invalid_gltf_is_rejected_with_its_place") {

@@ -5,6 +5,9 @@
 #include <sstream>
 
 #include "formats/codecs.h"
+#include "formats/write.h"
+#include "support/far.h"
+#include "support/folder.h"
 #include "support/shapes.h"
 
 using namespace viete;
@@ -172,6 +175,27 @@ TEST_CASE("position_beyond_float_range_is_rejected") {
   stl[80] = 1;
   const ReadResult of_stl = test::read_kept(stl, "stl");
   CHECK_THROWS_AS(test::written_again(of_stl, {{1e39, 0, 0}}), base::Error);
+}
+
+TEST_CASE("rounding_of_far_positions_by_the_file_is_noted_with_its_size") {
+  const test::TemporaryFolder folder;
+  const Surface near = test::cube(), far = test::far_away(near);
+  const auto floats_in_place = [&](const Surface& surface, const char* name) {
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 8\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n";
+    for (const Point& p : surface.positions)
+      for (const double x : p) bytes += std::string_view(bytes_of_number(float(x)).data(), 4);
+    test::put_file(folder / name, bytes);
+    const ReadResult r = read(folder / name);
+    std::vector<Point> moved = r.surface.positions;
+    for (Point& p : moved) p[1] += 0.2;
+    return write(folder / "out.ply", {r.surface, moved, {}}, r.original.get(), {});
+  };
+  CHECK(floats_in_place(near, "near.ply").empty());
+  const std::vector<std::string> notes = floats_in_place(far, "far.ply");
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].starts_with("the number type of the file rounds coordinates by up to 0.2 ("));
 }
 
 TEST_CASE("ply_integer_positions_stay_integers") {

@@ -8,6 +8,7 @@
 #include "formats/write.h"
 #include "program/command_line.h"
 #include "support/cube.h"
+#include "support/far.h"
 #include "support/pictures.h"
 #include "support/posed_cube.h"
 
@@ -262,6 +263,21 @@ TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_
   CHECK(mentions(around, "finding     the cage has a fin: an odd number of triangles share edge 6-7"));
   CHECK(mentions(around, "cage: 1 edge with more than two faces"));
   CHECK_FALSE(mentions(f.viete("info model.obj --cage cage.obj"), "has a fin"));
+}
+
+TEST_CASE("far_models_show_their_size_and_the_rounding_of_a_stream") {
+  const TemporaryFolder f;
+  formats::write(f / "model.obj", far_away(cube(1)));
+  formats::write(f / "cage.obj", far_away(cube(2)));
+  const auto rest = formats::read(f / "cage.obj").surface.positions;
+  put_file(f / "poses", {reinterpret_cast<const char*>(rest.data()), rest.size() * sizeof(mesh::Point)});
+  const std::string model = quoted(f / "model.obj");
+  CHECK(mentions(run("info " + model),
+                 "box         (431233.1, 5411986.2, 311.3) to (431235.1, 5411988.2, 313.3)"));
+  const auto streamed =
+      outcome_of(quoted(build_dir() / "viete") + " deform " + model + " " + quoted(f / "cage.obj") +
+                 " --stream < " + quoted(f / "poses") + " 2>&1 > " + quoted(f / "frames"));
+  CHECK(mentions(streamed, "note: the number type of the file rounds coordinates by up to 0.6"));
 }
 
 TEST_CASE("errors_name_file_and_reason_and_exit_with_1") {
