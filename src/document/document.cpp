@@ -15,6 +15,7 @@
 #include "formats/format_table.h"
 #include "formats/read.h"
 #include "formats/text_cursor.h"
+#include "formats/write.h"
 #include "mesh/surface.h"
 #include "mesh/triangle.h"
 #include "mesh/vector.h"
@@ -145,6 +146,7 @@ void check_drawable(const Document& document) {
 // to 1e76. The limits are narrower, because triangles are smaller than the model.
 void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
+  formats::check_deformable(document.model.path, document.model.original.get());
 }
 
 void set_cage(Document& document, OpenedSurface cage) {

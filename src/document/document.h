@@ -98,7 +98,8 @@ Document document_of(OpenedSurface model);
 /// Throws base::Error if GPUs cannot draw the model, the cage or a pose with float numbers: if a size or a
 /// coordinate is above 1e32, or a size is below 1e-32.
 void check_drawable(const Document& document);
-/// Throws base::Error if a size is above 1e60 or below 1e-60: the deformation would overflow or underflow.
+/// Throws base::Error if a size is above 1e60 or below 1e-60: the deformation would overflow or underflow. Also
+/// for a capture; see formats::check_deformable().
 void check_deformable(const Document& document);
 /// Sets the cage at rest and clears the history. Throws base::Error or deform::FinError for invalid cages.
 void set_cage(Document& document, OpenedSurface cage);

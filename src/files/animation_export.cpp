@@ -395,6 +395,7 @@ void check_animation_export(const AnimationExport& what) {
   if (is_numbered(what) && formats::point_cache_format(file))
     throw base::Error(file.string(), "a point cache stores all frames in one file",
                       "remove #### from the name");
+  formats::check_deformable(file, what.model.original.get());
   if (what.timeline.keys.empty())
     throw base::Error("", "the timeline has no keys", "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);

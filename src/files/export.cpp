@@ -70,6 +70,7 @@ void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const defo
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
   if (!writes_original(what)) formats::surface_format(what.file);
+  formats::check_deformable(what.file, what.original.get());
   base::check_replaceable(what.file);
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);

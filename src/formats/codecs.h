@@ -7,6 +7,10 @@
 
 namespace viete::formats {
 
+/// The end of a reader's warning about a capture; see Original::is_capture().
+inline constexpr const char* capture_note =
+    ": this is a capture (Gaussian splats), shown as points; it can be viewed, but not saved deformed";
+
 // Readers can throw base::Error and base::Cancelled. If source.owner is set, they set ReadResult::original.
 
 /// Specification: Wavefront Advanced Visualizer manual, appendix B1. Reads the keywords v (x y z and an

@@ -175,6 +175,7 @@ public:
 
   std::vector<std::string> beyond_attributes() const override { return file_.beyond_attributes; }
   Companions companions() const override { return file_.companions; }
+  bool is_capture() const override { return file_.is_capture; }
 
   std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                  TextWriter& out) const override {

@@ -59,6 +59,7 @@ struct VectorFile {
   std::vector<FileVectors> vectors = {};
   std::vector<std::string> beyond_attributes = {};  ///< see Original::beyond_attributes()
   Companions companions = {};                       ///< see Original::companions()
+  bool is_capture = false;                          ///< see Original::is_capture()
 };
 
 /// Returns null if source.owner is null. If a number exceeds its type's range, writing throws base::Error.

@@ -373,6 +373,7 @@ private:
   }
 
   void warn_about_ignored_content() {
+    if (is_gltf_capture(file_.document)) builder_.warn(file_.name + capture_note);
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
                     " of points or lines: deformed, but not drawn");

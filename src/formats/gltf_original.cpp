@@ -52,6 +52,8 @@ public:
     return found;
   }
 
+  bool is_capture() const override { return is_gltf_capture(file_.document); }
+
   std::vector<fs::path> files_beside() const override {
     std::vector<fs::path> files;
     for (const GltfBuffer& buffer : file_.buffers) files.push_back(buffer.path);
@@ -202,6 +204,12 @@ private:
 };
 
 }  // namespace
+
+bool is_gltf_capture(const GltfJson& document) {
+  return any_primitive(document, [](const GltfJson& p) {
+    return !member_of(member_of(p, "extensions"), "KHR_gaussian_splatting").is_null();
+  });
+}
 
 std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map) {
   return std::make_shared<GltfOriginal>(source, std::move(file), std::move(map));

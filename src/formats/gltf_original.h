@@ -12,6 +12,9 @@
 
 namespace viete::formats {
 
+/// Returns true if the document has Gaussian splats; see Original::is_capture().
+bool is_gltf_capture(const GltfJson& document);
+
 /// Returns an original that writes .gltf and .glb. If several nodes use a moved mesh, each node gets a
 /// separate mesh. Writes the external buffers of out.gltf to out.bin, out-2.bin, ..., and never overwrites
 /// unrelated files. External images stay in place. If no position changed, writing copies the bytes of

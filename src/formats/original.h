@@ -39,6 +39,10 @@ public:
   /// Names the content that only this file format stores: "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
+  /// True for a capture (Gaussian splats). Its vertices have sizes, rotations and colours that depend on the
+  /// direction. They should follow a deformation, but they do not.
+  virtual bool is_capture() const { return false; }
+
   /// The external files that write_file() copies.
   virtual Companions companions() const { return {}; }
 

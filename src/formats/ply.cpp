@@ -425,6 +425,13 @@ private:
   std::vector<Group> groups_;
 };
 
+// After B. Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023.
+bool is_capture(const PlyHeader& header) {
+  const PlyElement* vertices = header.find("vertex");
+  const auto has = [&](const char* name) { return vertices->find(name) < vertices->properties.size(); };
+  return vertices && (has("scale_0") || has("rot_0") || has("f_rest_0"));
+}
+
 std::vector<std::string> beyond_attributes(const PlyHeader& header) {
   constexpr std::string_view of_vertices =
       " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
@@ -457,6 +464,7 @@ ReadResult read_ply(const Source& source) {
   const PlyHeader header = read_ply_header(text, source, builder);
   PlyBody body(header, source, builder, {source, header, text});
   Attributes found = body.read();
+  if (is_capture(header)) builder.warn(source.name + capture_note);
   constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
   ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
   VectorFile file{"PLY",
@@ -466,6 +474,7 @@ ReadResult read_ply(const Source& source) {
                   beyond_attributes(header),
                   {source.folder, {}}};
   for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
+  file.is_capture = is_capture(header);
   result.original = original_of(source, std::move(file));
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   return result;

@@ -1,5 +1,6 @@
 #include "formats/write.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -89,6 +90,7 @@ void write(const std::filesystem::path& path, const mesh::Surface& surface,
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress) {
   check_written(path.string(), content.positions);
+  if (!std::ranges::equal(content.positions, content.surface.positions)) check_deformable(path, original);
   if (writes_itself(original, path))
     return original->write_file(path, content.surface, content.positions, digits, progress);
   const Format& format = surface_format(path);
@@ -111,6 +113,7 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
     throw base::Error(path.string(), "this format cannot store morph targets",
                       "save as " + format_extensions(holds_morphs));
   check_motion(motion, content.surface.positions.size());
+  check_deformable(path, original);
   check_written(path.string(), content.positions);
   std::vector<std::string> notes;
   if (writes_itself(original, path))
@@ -121,6 +124,15 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
     write_gltf_animated(what, motion, format.write == write_glb, out, progress);
   });
   return notes;
+}
+
+void check_deformable(const fs::path& file, const Original* original) {
+  if (original && original->is_capture())
+    throw base::Error(
+        file.string(),
+        "the model is a capture (Gaussian splats), whose sizes, rotations and colours would not "
+        "follow the deformation",
+        "convert the capture to a mesh in another program, and deform the mesh");
 }
 
 void check_keeps_vertices(const std::filesystem::path& path) {

@@ -24,7 +24,7 @@ void write(const std::filesystem::path& path, const mesh::Surface& surface,
 /// libraries and images to the folder of `path`. If writing fails, deletes these copies. If writes_itself()
 /// is false, writes the normals, texture points and colours that the format supports, but no groups or
 /// materials. Returns messages for the user, one line each. `progress` may be null. If cancelled, throws
-/// base::Cancelled, and an existing file stays.
+/// base::Cancelled, and an existing file stays. Refuses a capture with moved vertices.
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress = nullptr);
 
@@ -34,6 +34,9 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphMotion& motion,
                                         base::Progress* progress = nullptr);
+
+/// If `original` is a capture, throws base::Error. `file` is named in the error; `original` may be null.
+void check_deformable(const std::filesystem::path& file, const Original* original);
 
 /// Throws base::Error for the formats that change the number and order of vertices: STL and glTF.
 void check_keeps_vertices(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "files/animation_export.h"
 #include "formats/read.h"
 #include "support/files.h"
 #include "support/text.h"
@@ -97,4 +98,20 @@ TEST_CASE("a_method_is_named_with_its_error_only_where_that_matters") {
   const std::string note = method_note(sym3::Method::sd, 2.84e-6);
   for (const char* part : {"method sd", "2.9e-06", "fast"}) CHECK_MESSAGE(test::mentions(note, part), note);
   CHECK(test::mentions(method_note(sym3::Method::improved_sd, INFINITY), "gives NaN"));
+}
+
+TEST_CASE("captures_are_refused_before_they_are_deformed") {
+  const test::CubeFiles files;
+  const auto file = files / "capture.ply";
+  test::put_file(
+      file,
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty float scale_0\nproperty float rot_0\nend_header\n0 0 0 -4 1\n0.5 0 0 -4 1\n");
+  const Document document = open_document(file, files.cage);
+  const auto refused = doctest::Contains("is a capture (Gaussian splats)");
+  CHECK_THROWS_WITH_AS(check_deformable(document), refused, base::Error);
+  CHECK_THROWS_WITH_AS(write_deformed(export_of(document, files / "out.ply")), refused, base::Error);
+  for (const char* name : {"out.pc2", "out.glb", "out_####.obj"})
+    CHECK_THROWS_WITH_AS(check_animation_export(animation_export_of(document, files / name)), refused,
+                         base::Error);
 }

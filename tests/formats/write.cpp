@@ -6,11 +6,13 @@
 
 #include "base/error.h"
 #include "mesh/triangulation.h"
+#include "support/gltf.h"
 #include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;
+using viete::test::holds;
 
 namespace {
 
@@ -160,4 +162,31 @@ TEST_CASE("invalid_positions_are_not_written_in_any_format") {
     write(folder / name, {s, largest, {}}, nullptr, {});
     CHECK(read(folder / name).surface.positions.size() == s.positions.size());
   }
+}
+
+TEST_CASE("captures_are_named_and_only_written_unmoved") {
+  const std::string floats = "property float ", head = "ply\nformat ascii 1.0\nelement vertex 3\n" + floats +
+                                                       "x\n" + floats + "y\n" + floats + "z\n";
+  const std::string capture = head + floats + "opacity\n" + floats + "scale_0\n" + floats +
+                              "rot_0\nend_header\n0 0 0 1 -4 1\n1 0 0 1 -4 1\n0 1 0 1 -4 1\n";
+  test::GltfParts gltf = test::patch();
+  auto& primitive = gltf.json["meshes"][0]["primitives"][0];
+  primitive["mode"] = 0;
+  primitive["extensions"]["KHR_gaussian_splatting"] = {{"kernel", "ellipse"}};
+  for (const auto& [bytes, extension] : {std::pair(capture, "ply"), {gltf.glb(), "glb"}}) {
+    const test::TemporaryFolder folder;
+    const ReadResult r = test::read_kept(bytes, extension);
+    REQUIRE(r.original->is_capture());
+    CHECK(std::ranges::any_of(r.warnings,
+                              [](const auto& w) { return holds(w, "a capture (Gaussian splats)"); }));
+    CHECK(test::written_again(r, r.surface.positions) == bytes);
+    const std::vector<Point> posed = test::moved(r.surface, 2).positions;
+    for (const char* name : {"a.ply", "a.obj", "a.glb"}) {
+      CHECK_THROWS_WITH_AS(write(folder / name, {r.surface, posed, {}}, r.original.get(), {}),
+                           doctest::Contains("is a capture (Gaussian splats)"), base::Error);
+      CHECK_FALSE(std::filesystem::exists(folder / name));
+    }
+  }
+  const ReadResult points = test::read_kept(head + "end_header\n0 0 0\n1 0 0\n0 1 0\n", "ply");
+  CHECK_FALSE(points.original->is_capture());
 }
