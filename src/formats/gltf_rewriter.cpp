@@ -173,12 +173,73 @@ private:
     sharing_.emplace(document_, accessors_);
     list_primitives();
     deform_directions();
+    deform_targets();
     for (const GltfPiece* piece : moved_) {
       const AffineMap inverse = inverse_of(*piece);
       if (!moves(*piece)) continue;
-      put(*piece, "POSITION", piece->positions, 3, positions_of(*piece, inverse));
-      if (piece->normals >= 0) put(*piece, "NORMAL", piece->normals, 3, normals_of(*piece, inverse));
-      if (piece->tangents >= 0) put(*piece, "TANGENT", piece->tangents, 4, tangents_of(*piece, inverse));
+      const auto put_attribute = [&](const char* attribute, int accessor, std::size_t components,
+                                     const std::vector<float>& values) {
+        put(*piece, accessor, components, values, *attribute == 'P',
+            [&](Json& primitive) { return &primitive["attributes"][attribute]; });
+      };
+      put_attribute("POSITION", piece->positions, 3, positions_of(*piece, inverse));
+      if (piece->normals >= 0) put_attribute("NORMAL", piece->normals, 3, normals_of(*piece, inverse));
+      if (piece->tangents >= 0) put_attribute("TANGENT", piece->tangents, 4, tangents_of(*piece, inverse));
+    }
+  }
+
+  // The offsets of the file's targets follow the surface.
+  void deform_targets() {
+    std::size_t count = 0;
+    for (const GltfPiece* piece : moved_) {
+      if (moves(*piece)) count = std::max(count, piece->targets->size());
+    }
+    for (std::size_t t = 0; t < count; ++t) {
+      deform_target(t, "POSITION", &GltfTarget::positions);
+      deform_target(t, "NORMAL", &GltfTarget::normals);
+      deform_target(t, "TANGENT", &GltfTarget::tangents);
+    }
+  }
+
+  void deform_target(std::size_t t, const char* attribute, int GltfTarget::*of) {
+    const bool are_positions = of == &GltfTarget::positions;
+    const auto accessor_of_target = [&](const GltfPiece& piece) {
+      return moves(piece) && t < piece.targets->size() ? (*piece.targets)[t].*of : -1;
+    };
+    std::vector<double> alone(t + 1, 0);
+    alone[t] = 1;
+    std::vector<mesh::Vec3> offsets(map_.surface_vertex.size(), mesh::Vec3{0, 0, 0});
+    bool is_used = false;
+    for (const GltfPiece* piece : moved_) {
+      if (accessor_of_target(*piece) < 0) continue;
+      is_used = true;
+      const std::vector<double> own = morph_differences(accessors_, *piece, of, alone);
+      const AffineMap& map = map_.placements[piece->placement].map;
+      for (std::size_t i = 0; i < piece->count; ++i) {
+        const mesh::Vec3 offset = vector_at(own, i);
+        offsets[piece->first + i] = are_positions ? map.of_vector(offset) : map.of_normal(offset);
+      }
+    }
+    if (!is_used) return;
+    const auto kind = are_positions ? mesh::OffsetKind::positions : mesh::OffsetKind::directions;
+    const std::vector<mesh::Vec3> now =
+        deformed_offsets(rest_, posed_, offsets, kind, map_.corner_vertex, map_.surface_vertex);
+    for (const GltfPiece* piece : moved_) {
+      const int accessor = accessor_of_target(*piece);
+      if (accessor < 0) continue;
+      const AffineMap inverse = inverse_of(*piece);
+      std::vector<float> values = floats(accessor, 3);
+      for (std::size_t i = 0; i < piece->count; ++i) {
+        const std::size_t v = piece->first + i;
+        if (moves(v) && mesh::changed(offsets[v], now[v]))
+          set(values, 3 * i, are_positions ? inverse.of_vector(now[v]) : inverse.of_normal(now[v]));
+      }
+      add_differences(*piece, of, t, values);
+      put(*piece, accessor, 3, values, are_positions, [&](Json& primitive) -> Json* {
+        if (list_of(primitive, "targets").size() <= t) return nullptr;
+        Json& target = primitive["targets"][t];
+        return index_of(target, attribute) == accessor ? &target[attribute] : nullptr;
+      });
     }
   }
 
@@ -220,7 +281,7 @@ private:
       const auto take = [&](int accessor, int GltfTarget::*of, std::vector<mesh::Vec3>& to, auto move) {
         if (accessor < 0) return false;
         const std::vector<double> numbers = accessors_.numbers(accessor, 3);
-        const std::vector<double> added = differences(*piece, of);
+        const std::vector<double> added = old_differences(*piece, of);
         for (std::size_t i = 0; i < piece->count; ++i)
           to[piece->first + i] = move(vector_at(numbers, i) + vector_at(added, i));
         return true;
@@ -238,12 +299,34 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // Viewers add the offsets of the file's targets, at their default weights. Returns the sum of these
-  // offsets.
+  std::vector<double> weights_of(const GltfPiece& piece) const {
+    return default_weights(file_.document, map_.placements[piece.placement], piece.targets->size());
+  }
+
+  // Viewers add the offsets of the file's targets, at their default weights. Returns the sum of the offsets
+  // in the file that was read.
+  std::vector<double> old_differences(const GltfPiece& piece, int GltfTarget::*of) const {
+    return morph_differences(accessors_, piece, of, weights_of(piece));
+  }
+
+  // Returns the sum of the offsets in the new file.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
-    const GltfPlacement& placement = map_.placements[piece.placement];
-    return morph_differences(accessors_, piece, of,
-                             default_weights(file_.document, placement, piece.targets->size()));
+    if (!moves(piece)) return old_differences(piece, of);
+    const auto found = differences_.find({&piece, kind_of(of)});
+    return found == differences_.end() ? std::vector<double>() : found->second;
+  }
+
+  void add_differences(const GltfPiece& piece, int GltfTarget::*of, std::size_t target,
+                       std::span<const float> offsets) {
+    const double weight = weights_of(piece)[target];
+    if (weight == 0) return;
+    std::vector<double>& sum = differences_[{&piece, kind_of(of)}];
+    sum.resize(offsets.size(), 0);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * static_cast<double>(offsets[i]);
+  }
+
+  static int kind_of(int GltfTarget::*of) {
+    return of == &GltfTarget::positions ? 0 : of == &GltfTarget::normals ? 1 : 2;
   }
 
   static mesh::Vec3 vector_at(std::span<const double> numbers, std::size_t i) {
@@ -415,8 +498,10 @@ private:
   }
 
   // Replaces the values in place if no other part of the file uses the accessor. Otherwise adds an accessor.
-  void put(const GltfPiece& piece, const char* attribute, int accessor, std::size_t components,
-           const std::vector<float>& values) {
+  // slot(primitive) must return the number of the accessor in this primitive, or null.
+  template <class Slot>
+  void put(const GltfPiece& piece, int accessor, std::size_t components, const std::vector<float>& values,
+           bool are_positions, const Slot& slot) {
     const std::vector<Json*> primitives = primitives_of(piece);
     const auto index = static_cast<std::size_t>(accessor);
     const bool in_place =
@@ -428,9 +513,11 @@ private:
         std::memcpy(buffers_[place.buffer].data() + place.offset + i * place.stride, &values[i * components],
                     components * sizeof(float));
     }
-    for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
+    for (Json* primitive : primitives) {
+      if (Json* const number = slot(*primitive)) *number = to;
+    }
     Json& json = document_["accessors"][to];  // in glTF, only positions must have min and max
-    if (*attribute == 'P' || json.contains("min") || json.contains("max"))
+    if (are_positions || json.contains("min") || json.contains("max"))
       set_gltf_bounds(json, values, components);
   }
 
@@ -490,6 +577,7 @@ private:
   std::optional<GltfSharing> sharing_;
   std::map<Vertices, std::vector<std::size_t>> primitives_;
   std::vector<mesh::Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;
+  std::map<std::pair<const GltfPiece*, int>, std::vector<double>> differences_;  // of the file's new targets
   std::vector<bool> morphing_;  // true if a target moves this placement; empty without an animation
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle_tree.h"
 
@@ -139,13 +140,64 @@ private:
   double diagonal_ = 0;
 };
 
-// Computes deformed normals or tangents. move(map, vector) transforms a vector by the map of a triangle.
+// The sum of a vector over its triangles after the deformation.
+struct Sum {
+  Vec3 vector{0, 0, 0};
+  double area = 0;  // twice the area of the deformed triangles
+  bool moved = false;
+};
+
+// Adds up the sums of equal vectors whose vertices are at one place, at rest and deformed. Leaves vectors of
+// several vertices as they are: those belong to flat polygons.
+void join_equal(const Surface& rest, std::span<const Point> posed, std::span<const Vec3> vectors,
+                std::span<const std::uint32_t> of_corner, std::span<const std::uint32_t> home,
+                std::vector<Sum>& sums) {
+  const std::vector<std::uint32_t> places = lowest_in_place(rest.positions);
+  std::vector<char> is_single(vectors.size(), 1);
+  for (std::size_t c = 0; c < of_corner.size(); ++c) {
+    if (of_corner[c] != none && home[of_corner[c]] != rest.corners[c]) is_single[of_corner[c]] = 0;
+  }
+  const Adjacency at_places = make_adjacency(places.size(), [&](const auto& add) {
+    for (std::uint32_t i = 0; i < vectors.size(); ++i) {
+      if (home[i] != none && is_single[i] && squared_norm(vectors[i]) > 0) add(places[home[i]], i);
+    }
+  });
+  const double cell = 1e-7 * bounds(posed).diagonal();
+  const auto key = [&](std::uint32_t i) {
+    Point p = posed[home[i]];
+    for (double& x : p) x = std::round(x / cell);
+    return std::pair(vectors[i], p);
+  };
+  std::vector<std::uint32_t> equal;
+  for (std::uint32_t place = 0; place < places.size(); ++place) {
+    const auto here = at_places.of(place);
+    if (here.size() < 2) continue;
+    equal.assign(here.begin(), here.end());
+    std::ranges::stable_sort(equal, {}, key);
+    for (auto first = equal.begin(); first != equal.end();) {
+      const auto end =
+          std::find_if(first, equal.end(), [&](std::uint32_t i) { return key(i) != key(*first); });
+      Sum all;
+      for (auto i = first; i != end; ++i) {
+        all.vector = all.vector + sums[*i].vector;
+        all.area += sums[*i].area;
+        all.moved |= sums[*i].moved;
+      }
+      for (; first != end; ++first) sums[*first] = all;
+    }
+  }
+}
+
+// Computes deformed normals, tangents or, with `keeps_size`, offsets. move(map, vector) transforms a vector
+// by the map of a triangle.
 template <class Move>
 std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
                           std::span<const Vec3> vectors, std::span<const std::uint32_t> of_corner,
-                          std::span<const std::uint32_t> of_vertex, const Move& move) {
-  std::vector<Vec3> sums(vectors.size(), Vec3{0, 0, 0});
-  std::vector<char> moved(vectors.size(), 0);
+                          std::span<const std::uint32_t> of_vertex, const Move& move,
+                          bool keeps_size = false) {
+  std::vector<Vec3> result(vectors.begin(), vectors.end());
+  if (std::ranges::equal(rest.positions, positions)) return result;
+  std::vector<Sum> sums(vectors.size());
   std::vector<std::uint32_t> home(of_vertex.begin(), of_vertex.end());
   home.resize(vectors.size(), none);
   for (std::size_t c = 0; c < of_corner.size(); ++c) {
@@ -157,19 +209,22 @@ std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
     for (const std::uint32_t c : corners) {
       const std::uint32_t i = of_corner[c];
       if (i == none) continue;
-      moved[i] |= moves;
-      if (map.usable()) sums[i] = sums[i] + move(map, vectors[i]);
+      sums[i].moved |= moves;
+      if (!map.usable()) continue;
+      sums[i].vector = sums[i].vector + move(map, vectors[i]);
+      sums[i].area += map.to.area;
     }
   });
-  std::vector<Vec3> result(vectors.begin(), vectors.end());
+  join_equal(rest, positions, vectors, of_corner, home, sums);
   std::optional<NearbyTurns> nearby;
-  const bool all_stays = std::ranges::equal(rest.positions, positions);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (squared_norm(sums[i]) > 0) {
-      if (moved[i]) result[i] = unit(sums[i]);
-    } else if (!all_stays && home[i] != none && is_direction(vectors[i]) && squared_norm(vectors[i]) > 0) {
+    const Sum& sum = sums[i];
+    if (squared_norm(sum.vector) > 0) {
+      if (sum.moved) result[i] = keeps_size ? (1 / sum.area) * sum.vector : unit(sum.vector);
+    } else if (home[i] != none && is_direction(vectors[i]) && squared_norm(vectors[i]) > 0) {
       if (!nearby) nearby.emplace(rest, positions);
-      result[i] = nearby->of(home[i], vectors[i], move);
+      const Vec3 turned = nearby->of(home[i], vectors[i], move);
+      result[i] = keeps_size ? stable_norm(vectors[i]) * unit(turned) : turned;
     }
   }
   return result;
@@ -222,6 +277,16 @@ std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> 
                                     std::span<const std::uint32_t> vertex_of_tangent) {
   return carried(rest, positions, tangents, corner_tangent, vertex_of_tangent,
                  [](const TriangleMap& map, const Vec3& t) { return map.of_tangent(t); });
+}
+
+std::vector<Vec3> deformed_offsets(const Surface& rest, std::span<const Point> positions,
+                                   std::span<const Vec3> offsets, OffsetKind kind,
+                                   std::span<const std::uint32_t> corner_offset,
+                                   std::span<const std::uint32_t> vertex_of_offset) {
+  const auto move = [kind](const TriangleMap& map, const Vec3& offset) {
+    return kind == OffsetKind::positions ? map.of_tangent(offset) : map.of_normal(offset);
+  };
+  return carried(rest, positions, offsets, corner_offset, vertex_of_offset, move, true);
 }
 
 void keep_lengths(std::span<const Vec3> before, std::span<Vec3> now) {

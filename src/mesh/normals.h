@@ -29,6 +29,8 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 /// that is not finite. If no triangle at a normal moved, the normal does not change. If no triangle at a
 /// normal has area, the normal rotates with the nearest triangle that has area. If the model has no triangle
 /// with area, the normal rotates with triangles between its vertex and the six nearest points.
+/// Normals of single vertices at one place, for example on both sides of a texture seam, stay equal if they
+/// are equal.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal,
@@ -42,6 +44,15 @@ std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> 
                                     std::span<const Vec3> tangents,
                                     std::span<const std::uint32_t> corner_tangent,
                                     std::span<const std::uint32_t> vertex_of_tangent = {});
+
+enum class OffsetKind { positions, directions };
+
+/// Works like deformed_normals(), but for offsets of positions, or of normals and tangents: the offsets of a
+/// morph target. Offsets of positions stretch with the surface; offsets of directions only rotate and shear.
+std::vector<Vec3> deformed_offsets(const Surface& rest, std::span<const Point> positions,
+                                   std::span<const Vec3> offsets, OffsetKind kind,
+                                   std::span<const std::uint32_t> corner_offset,
+                                   std::span<const std::uint32_t> vertex_of_offset = {});
 
 /// True if all components are finite.
 inline bool is_direction(const Vec3& v) {

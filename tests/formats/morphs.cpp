@@ -210,6 +210,35 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   }
 }
 
+TEST_CASE("targets_of_a_deformed_model_turn_with_the_surface") {
+  const test::TemporaryFolder folder;
+  GltfParts parts = weighed_patch();
+  parts.json["nodes"] = {{{"mesh", 0}, {"translation", {9, 0, 0}}, {"scale", {2, 2, 2}}}};
+  parts.json["scenes"] = {{{"nodes", {0}}}};
+  test::put_file(folder / "a.glb", parts.glb());
+  const ReadResult r = read(folder / "a.glb");
+  std::vector<Point> posed, turned_targets;
+  const auto turned = [](const Point& p) { return Point{-p[1], p[0], p[2]}; };
+  for (const Point& p : r.surface.positions) posed.push_back(turned(p));
+  write(folder / "b.glb", {r.surface, posed, {}}, r.original.get(), {});
+  const ReadResult b = read(folder / "b.glb");
+  check_near(b.surface.positions, posed, 1e-5);
+  const auto before = r.original->morphs(), now = b.original->morphs();
+  for (std::size_t t = 0; t < 3; ++t) {
+    std::vector<Point> wanted;
+    for (const Point& p : before->at_target(t)) wanted.push_back(turned(p));
+    check_near(now->at_target(t), wanted, 1e-5);
+  }
+  const MorphJudge old_file(folder / "a.glb"), new_file(folder / "b.glb");
+  const auto lean = old_file.floats(old_file.primitive(0, 0).targets[0].at("NORMAL")),
+             leans = new_file.floats(new_file.primitive(0, 0).targets[0].at("NORMAL"));
+  for (std::size_t i = 0; i < lean.size(); i += 3) {
+    CHECK(leans[i] == doctest::Approx(-lean[i + 1]));
+    CHECK(leans[i + 1] == doctest::Approx(lean[i]));
+    CHECK(leans[i + 2] == doctest::Approx(lean[i + 2]));
+  }
+}
+
 TEST_CASE("keys_become_targets_and_other_content_is_kept") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
@@ -234,7 +263,8 @@ TEST_CASE("keys_become_targets_and_other_content_is_kept") {
     }
     const auto normals = judge.shown(0, 0, "NORMAL", 1);
     CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // normal of the left quad
-    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // normal of the right quad
+    CHECK(normals[15] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // normal of the right quad
+    for (std::size_t k = 0; k < 3; ++k) CHECK(normals[3 + k] == doctest::Approx(normals[12 + k]));  // seam
     CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(1).Get<std::string>() == "key 2");
     const ReadResult again = read(out);
     CHECK(again.surface.positions == r.surface.positions);

@@ -105,6 +105,40 @@ std::vector<Point> turned(const std::vector<Point>& points) {
 
 }  // namespace
 
+TEST_CASE("equal_normals_of_vertices_at_one_place_stay_equal") {
+  Surface two;  // two squares; their common edge has two copies of its vertices
+  two.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
+  two.corners = {0, 1, 2, 3, 4, 5, 6, 7};
+  two.polygon_starts = {0, 4, 8};
+  triangulate(two);
+  std::vector<Point> posed = two.positions;
+  for (const std::size_t v : {5, 6}) posed[v] = {1, posed[v][1], 1};  // the right square stands
+  const Vec3 up{0, 0, 1}, left{-1, 0, 0};
+  const auto normals = deformed_normals(two, posed, std::vector<Vec3>(8, up), two.corners);
+  for (const auto& [v, copy] : {std::pair(1, 4), {2, 7}}) {
+    CHECK(normals[v] == normals[copy]);
+    CHECK(normals[v][2] > 0.4);
+    CHECK(normals[v][0] < -0.4);
+  }
+  CHECK(normals[0] == up);
+  CHECK(norm(normals[5] - left) < 1e-14);
+  const std::vector<std::uint32_t> of_faces = {0, 0, 0, 0, 1, 1, 1, 1};
+  CHECK(norm(deformed_normals(two, posed, std::vector<Vec3>(2, up), of_faces)[1] - left) < 1e-14);
+  for (const std::size_t v : {4, 5, 6, 7}) posed[v][0] += 0.5;
+  CHECK(deformed_normals(two, posed, std::vector<Vec3>(8, up), two.corners)[1] == up);
+}
+
+TEST_CASE("offsets_turn_with_the_surface_and_those_of_positions_grow_with_it") {
+  const Surface s = test::sphere(1);
+  std::vector<Point> posed;
+  for (const Point& p : s.positions) posed.push_back(3.0 * turned_about_x(p));
+  const std::vector<Vec3> offsets(s.positions.size(), Vec3{0.25, 0.5, 0});
+  for (const auto& [kind, scale] : {std::pair(OffsetKind::positions, 3.0), {OffsetKind::directions, 1.0}}) {
+    for (const auto& o : deformed_offsets(s, posed, offsets, kind, s.corners))
+      CHECK(norm(o - scale * Vec3{0.25, 0, 0.5}) < 1e-14);
+  }
+}
+
 TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   const Vec3 up{0, 0, 1}, is_then{0, -1, 0};
   const auto near = [](const Vec3& a, const Vec3& b) { return norm(a - b) < 1e-14; };
