@@ -61,7 +61,9 @@ void check_key_count(const std::string& file, std::size_t count) {
 
 class KeyBuilder {
 public:
-  explicit KeyBuilder(std::string file, document::Easing easing) : file_(std::move(file)), easing_(easing) {}
+  KeyBuilder(std::string file, document::Easing easing) : file_(std::move(file)), easing_(easing) {}
+
+  void set_easing(document::Easing easing) { easing_ = easing; }
 
   void add(double frame, deform::Pose pose) {
     const double whole = std::round(frame);
@@ -140,9 +142,21 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
   const auto& seconds = clip->seconds();
   check_key_count(file.string(), seconds.size());
   KeyBuilder keys(file.string(), document::Easing::linear);
+  const auto frame_of = [&](std::size_t key) { return std::round(times.first + seconds[key] * times.rate); };
+  double sampled = 0;  // number of frames between keys
+  for (std::size_t i = 0; i + 1 < seconds.size(); ++i)
+    if (clip->curves()[i] == formats::MorphCurve::other) sampled += frame_of(i + 1) - frame_of(i);
+  if (!(sampled < document::Timeline::most_keys))
+    check_key_count(file.string(), document::Timeline::most_keys + 1);
+  check_key_count(file.string(), seconds.size() + static_cast<std::size_t>(sampled));
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     report_part(progress, i, seconds.size());
-    keys.add(times.first + seconds[i] * times.rate, {found.at_key(i), {}});
+    const auto curve = i + 1 < seconds.size() ? clip->curves()[i] : formats::MorphCurve::linear;
+    keys.set_easing(curve == formats::MorphCurve::held ? document::Easing::hold : document::Easing::linear);
+    keys.add(times.first + seconds[i] * times.rate, {found.at(seconds[i]), {}});
+    if (curve != formats::MorphCurve::other) continue;
+    for (double frame = frame_of(i) + 1; frame < frame_of(i + 1); ++frame)
+      keys.add(frame, {found.at((frame - times.first) / times.rate), {}});
   }
   return keys.take(std::move(warnings), times.rate);
 }

@@ -45,7 +45,7 @@ struct ImportTimes {
 /// .pc2                   Each sample gives a key, at its frame in the file. Linear interpolation.
 /// .mdd                   Each frame gives a key, at its time in the file. Linear interpolation.
 /// .glb, .gltf            the cage with animated morph targets. Each key of the file gives a key at the same
-///                        time. Linear interpolation.
+///                        time. Linear interpolation; STEP holds; CUBICSPLINE gives a key at each frame.
 ///
 /// Only numbered posed cages store whole turns. In keys from other files, each rotation gets the number of
 /// whole turns that brings it nearest to the rotation in the previous key. If several keys have the same

@@ -65,8 +65,8 @@ struct MorphPositions {
   std::shared_ptr<const formats::MorphClip> clip;  ///< null if the file has no morph targets
   std::vector<std::uint32_t> order;                ///< for each vertex of the surface, its index in the file
 
-  std::vector<mesh::Point> at_key(std::size_t key) const {
-    return mesh::picked<mesh::Point>(clip->at_key(key), order);
+  std::vector<mesh::Point> at(double second) const {
+    return mesh::picked<mesh::Point>(clip->at(second), order);
   }
   std::vector<mesh::Point> at_target(std::size_t target) const {
     return mesh::picked<mesh::Point>(clip->at_target(target), order);

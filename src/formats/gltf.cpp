@@ -377,7 +377,7 @@ private:
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
                     " of points or lines: deformed, but not drawn");
-    if (morphs_ && !source_.played)
+    if (morphs_ && !source_.played && has_animation(file_.document, true))
       builder_.warn(file_.name +
                     (is_shaped_ ? ": morph targets keep their default weights; their animation is ignored"
                                 : ": the animation of morph targets is ignored"));

@@ -377,7 +377,8 @@ private:
   void warn_about_ignored_content() {
     std::string list;
     for (const char* key : {"animations", "skins", "cameras"}) {
-      if (source_.played && key == std::string_view("animations")) continue;
+      if (key == std::string_view("animations") && (source_.played || !has_animation(document_, false)))
+        continue;  // the reader or the caller names animations of morph targets
       if (!list_of(document_, key).empty()) list += (list.empty() ? "" : ", ") + std::string(key);
     }
     if (!list.empty()) warn(list + " are ignored");
@@ -401,6 +402,14 @@ private:
 };
 
 }  // namespace
+
+bool has_animation(const GltfJson& document, bool weights) {
+  for (const GltfJson& animation : list_of(document, "animations")) {
+    for (const GltfJson& channel : list_of(animation, "channels"))
+      if ((text_of(member_of(channel, "target"), "path") == "weights") == weights) return true;
+  }
+  return false;
+}
 
 GltfFile take_apart(const Source& source) {
   const bool binary = source.bytes.starts_with("glTF");

@@ -81,6 +81,9 @@ inline const GltfJson& element_of(const GltfJson& document, const char* list, in
                                                                     : nothing;
 }
 
+/// Returns true if the file has an animation of weights of morph targets or, without `weights`, another one.
+bool has_animation(const GltfJson& document, bool weights);
+
 struct GltfBuffer {
   /// The place of the bytes: the binary chunk of a GLB, base64 in the JSON, or an external file.
   enum class Home { chunk, text, beside };

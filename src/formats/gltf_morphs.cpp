@@ -18,31 +18,39 @@ namespace {
 using Numbers = std::vector<double>;
 using SharedNumbers = std::shared_ptr<const Numbers>;
 
-// The animated weights of one node. Between keys, weights are interpolated linearly.
+// The animated weights of one node.
 struct WeightTrack {
-  SharedNumbers times, values;  // values: for each time, one number per target
+  SharedNumbers times, values;  // for each time, one number per target; for `cubic`, three: see cubic_at()
+  MorphCurve curve = MorphCurve::linear;
 
   Numbers at(double t, std::size_t count) const {
     const auto next = std::upper_bound(times->begin(), times->end(), t);
     const std::size_t after = static_cast<std::size_t>(next - times->begin()), a = after == 0 ? 0 : after - 1,
-                      b = std::min(after, times->size() - 1);
+                      b = curve == MorphCurve::held ? a : std::min(after, times->size() - 1);
     const double span = (*times)[b] - (*times)[a], u = span > 0 ? (t - (*times)[a]) / span : 0;
     Numbers weights(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const double from = (*values)[a * count + i], to = (*values)[b * count + i];
-      weights[i] = from + u * (to - from);
+      if (curve == MorphCurve::other) {
+        weights[i] = cubic_at(3 * a * count + i, 3 * b * count + i, count, span, u);
+      } else {
+        const double from = (*values)[a * count + i], to = (*values)[b * count + i];
+        weights[i] = from + u * (to - from);
+      }
     }
     return weights;
   }
-};
 
-// `values` has `count` in-tangents, values and out-tangents for each key. Returns only the values.
-SharedNumbers keys_of_cubic(const Numbers& values, std::size_t count) {
-  Numbers keys;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (i / count % 3 == 1) keys.push_back(values[i]);
-  return std::make_shared<const Numbers>(std::move(keys));
-}
+  bool changes_between(double from, double to) const { return times->front() < to && times->back() > from; }
+
+private:
+  // CUBICSPLINE of glTF 2.0, appendix C: each key has in-tangents, values and out-tangents of all targets.
+  double cubic_at(std::size_t a, std::size_t b, std::size_t count, double span, double u) const {
+    const double uu = u * u, uuu = uu * u;
+    const double out = (*values)[a + 2 * count], in = (*values)[b];
+    return (2 * uuu - 3 * uu + 1) * (*values)[a + count] + span * (uuu - 2 * uu + u) * out +
+           (3 * uu - 2 * uuu) * (*values)[b + count] + span * (uuu - uu) * in;
+  }
+};
 
 class GltfMorphClip final : public MorphClip {
 public:
@@ -58,13 +66,14 @@ public:
       counts_[piece.placement] = std::max(counts_[piece.placement], piece.targets->size());
     for (std::size_t p = 0; p < counts_.size(); ++p) take_placement(p);
     take_animations();
+    take_curves();
     times_of_.clear();
   }
 
-  std::vector<mesh::Point> at_key(std::size_t key) const override {
+  std::vector<mesh::Point> at(double second) const override {
     std::vector<Numbers> weights;
     for (std::size_t p = 0; p < counts_.size(); ++p)
-      weights.push_back(tracks_[p] ? tracks_[p]->at(seconds_[key], counts_[p]) : resting_[p]);
+      weights.push_back(tracks_[p] ? tracks_[p]->at(second, counts_[p]) : resting_[p]);
     return positions(weights);
   }
 
@@ -119,7 +128,17 @@ private:
     if (other > 0)
       notes_.push_back("only the first of " + base::counted(other + 1, "animation") + " of weights is used");
     if (moves_nodes) notes_.emplace_back("animations of nodes (bones, transforms) are ignored");
-    if (is_curved_) notes_.emplace_back("stepped and curved weights are interpolated linearly between keys");
+  }
+
+  void take_curves() {
+    for (std::size_t k = 0; k + 1 < seconds_.size(); ++k) {
+      std::optional<MorphCurve> curve;
+      for (const auto& track : tracks_) {
+        if (!track || !track->changes_between(seconds_[k], seconds_[k + 1])) continue;
+        curve = !curve || *curve == track->curve ? track->curve : MorphCurve::other;
+      }
+      curves_.push_back(curve.value_or(MorphCurve::held));
+    }
   }
 
   bool take_channel(std::size_t animation, const GltfJson& channel) {
@@ -136,8 +155,11 @@ private:
     if (!input || !output || *input >= all || *output >= all)
       fail("has a sampler whose accessors do not exist");
     const std::string interpolation = text_of(samplers[*sampler], "interpolation");
-    const std::size_t parts = interpolation == "CUBICSPLINE" ? 3 : 1;
-    const WeightTrack track{numbers(static_cast<int>(*input)), numbers(static_cast<int>(*output))};
+    const MorphCurve curve = interpolation == "CUBICSPLINE" ? MorphCurve::other
+                             : interpolation == "STEP"      ? MorphCurve::held
+                                                            : MorphCurve::linear;
+    const std::size_t parts = curve == MorphCurve::other ? 3 : 1;
+    const WeightTrack track{numbers(static_cast<int>(*input)), numbers(static_cast<int>(*output)), curve};
     const bool is_new = seen_times_.insert(static_cast<int>(*input)).second;
     for (std::size_t i = 0; i < track.times->size() && is_new; ++i) {
       const double t = (*track.times)[i];
@@ -152,11 +174,10 @@ private:
       if (track.values->size() != track.times->size() * parts * counts_[p])
         fail("has " + std::to_string(track.values->size()) + " weights for " +
              base::counted(track.times->size(), "time") + " and " + base::counted(counts_[p], "target"));
-      tracks_[p] = {track.times, parts == 1 ? track.values : keys_of_cubic(*track.values, counts_[p])};
+      tracks_[p] = track;
       used = true;
     }
     if (!used) return false;
-    is_curved_ |= interpolation == "STEP" || interpolation == "CUBICSPLINE";
     if (is_new) add_times(*track.times);
     return true;
   }
@@ -200,7 +221,6 @@ private:
   std::vector<std::optional<WeightTrack>> tracks_;  // for each placement, the animated weights or nullopt
   std::map<int, SharedNumbers> times_of_;
   std::set<int> seen_times_;
-  bool is_curved_ = false;
 };
 
 void widen_list(GltfJson& of, std::size_t count) {

@@ -10,6 +10,7 @@
 #include "formats/point_cache.h"
 #include "support/animated_cube.h"
 #include "support/distance.h"
+#include "support/gltf.h"
 #include "support/open.h"
 #include "support/text.h"
 
@@ -100,6 +101,48 @@ TEST_CASE("morph_targets_of_a_cage_are_poses_and_their_animation_keys") {
   CHECK(farthest(poses.poses.back().pose->cage, m.pose(17).cage) < 1e-5);
   write_animation(animation_export_of(m.document, m / "model.glb"));
   CHECK(test::mentions(m.problem(m / "model.glb"), "20 points, and the cage has 8 vertices"));
+}
+
+TEST_CASE("stepped_weights_become_held_keys_and_cubic_weights_a_key_at_every_frame") {
+  const CageMotion m;
+  const mesh::Surface& cage = m.document.cage->surface;
+  test::GltfParts parts;
+  std::vector<float> positions, up(3 * cage.positions.size(), 0);
+  std::vector<std::uint16_t> corners;
+  for (const mesh::Point& p : cage.positions) positions.insert(positions.end(), p.begin(), p.end());
+  for (const auto& t : cage.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  for (std::size_t i = 1; i < up.size(); i += 3) up[i] = 1;
+  parts.accessor(positions, 5126, "VEC3", 3);
+  parts.accessor(corners, 5123, "SCALAR", 1);
+  parts.accessor(up, 5126, "VEC3", 3);
+  parts.accessor(std::vector<float>{0, 0.5F}, 5126, "SCALAR", 1);
+  parts.accessor(std::vector<float>{0, 1}, 5126, "SCALAR", 1);
+  parts.accessor(std::vector<float>{0, 0, 0, 0, 1, 0}, 5126, "SCALAR", 1);  // eases in and out
+  parts.json["asset"] = {{"version", "2.0"}};
+  parts.json["meshes"] = {
+      {{"primitives",
+        {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"targets", {{{"POSITION", 2}}}}}}}}};
+  parts.json["nodes"] = {{{"mesh", 0}}};
+  const auto keys = [&](const char* interpolation) {
+    parts.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+         {"samplers",
+          {{{"input", 3}, {"output", *interpolation == 'S' ? 4 : 5}, {"interpolation", interpolation}}}}}};
+    test::put_file(m / "c.glb", parts.glb());
+    return read_keys(m / "c.glb", *m.document.cage, {1, 24}).keys;
+  };
+  const auto stepped = keys("STEP");
+  REQUIRE(stepped.size() == 2);
+  CHECK(stepped[0].easing == Easing::hold);
+  CHECK(stepped[1].frame == 13);
+  const auto cubic = keys("CUBICSPLINE");
+  REQUIRE(cubic.size() == 13);
+  for (const PoseKey& key : cubic) {
+    const double u = (key.frame - 1) / 12.0;
+    CHECK(key.easing == Easing::linear);
+    CHECK(key.pose->cage.positions[0][1] - cage.positions[0][1] ==
+          doctest::Approx(u * u * (3 - 2 * u)).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("several_keys_on_one_frame_give_a_warning") {

@@ -174,8 +174,8 @@ TEST_CASE("shared_or_non_float_positions_get_new_accessors") {
       {{"primitives", {{{"attributes", {{"POSITION", positions}}}, {"indices", indices}}}}});
   parts.json["nodes"].push_back({{"mesh", 1}, {"scale", {0.01, 0.01, 0.01}}});
   parts.json["scenes"] = {{{"nodes", {0, 1}}}};
-  parts.json["animations"] = {
-      {{"channels", GltfJson::array()}, {"samplers", {{{"input", 0}, {"output", 0}}}}}};
+  parts.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}}}},
+                               {"samplers", {{{"input", 0}, {"output", 0}}}}}};
   test::put_file(folder / "a.glb", parts.glb());
   const ReadResult r = read(folder / "a.glb");
   CHECK(holds(r.warnings.at(0), "animations are ignored"));

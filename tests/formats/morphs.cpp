@@ -148,7 +148,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
     const GltfParts parts = weighed_patch();
     const ReadResult r = test::read_kept(binary ? parts.glb() : parts.text(), binary ? "glb" : "gltf");
     check_near(r.surface.positions, shape_of_weighed_patch());
-    CHECK(holds(r.warnings.at(0), "morph targets keep their default weights; their animation is ignored"));
+    CHECK(r.warnings.empty());
     const Vec3 n = r.attributes->normals.at(0);
     CHECK(n[0] / n[2] == doctest::Approx(0.15 / 0.9));
     CHECK(norm(n) == doctest::Approx(1));
@@ -159,7 +159,6 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
   still.json["nodes"][1].erase("weights");
   const ReadResult r = test::read_kept(still.glb(), "glb");
   CHECK(r.surface.positions[4] == Point{2, 0, 0});
-  CHECK(holds(r.warnings.at(0), "the animation of morph targets is ignored"));
 }
 
 TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
@@ -466,12 +465,20 @@ TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
          {"samplers", {{{"input", in}, {"output", out}, {"interpolation", way}}}}}};
     return test::read_kept(parts.glb(), "glb").original->morphs();
   };
-  for (const char* way : {"STEP", "CUBICSPLINE"}) {
-    const auto clip = clip_of(input, *way == 'S' ? plain : cubic, way);
+  for (const char* way : {"LINEAR", "STEP", "CUBICSPLINE"}) {
+    const auto clip = clip_of(input, *way == 'C' ? cubic : plain, way);
     CHECK(clip->at_key(0)[0] == Point{0, 0, 1});
     CHECK(clip->at_key(1)[0] == Point{0, 0, 5});
-    CHECK(holds(clip->notes().at(0), "linearly"));
+    // Weights at 0.25 s, by the Hermite polynomials; the sum of both targets is the height.
+    CHECK(clip->at(0.25)[0][2] == doctest::Approx(*way == 'L' ? 2 : *way == 'S' ? 1 : 3.3125));
+    CHECK(clip->curves() == std::vector{*way == 'L'   ? MorphCurve::linear
+                                        : *way == 'S' ? MorphCurve::held
+                                                      : MorphCurve::other});
+    CHECK(clip->notes().empty());
     CHECK(clip->targets() == std::vector<std::string>{"target 1", "target 2"});
+    const auto warnings = test::read_kept(parts.glb(), "glb").warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(holds(warnings[0], "the animation of morph targets is ignored"));
   }
   CHECK_THROWS_WITH_AS(clip_of(back, plain, "LINEAR"), doctest::Contains("do not increase"), base::Error);
   CHECK_THROWS_WITH_AS(clip_of(input, nan, "LINEAR"), doctest::Contains("not finite"), base::Error);
