@@ -42,7 +42,8 @@ std::vector<std::string> names_of_left_out(const Format& format, const mesh::Sur
       {"texture coordinates", !a.texture_points.empty(), format.holds(held::texture_points)},
       {normals ? "several normals of a vertex" : "normals", !a.normals.empty(), normals_fit},
       {"colours", !a.colors.empty(), format.holds(held::colors)},
-      {"colours of faces", !a.polygon_colors.empty(), format.holds(held::polygon_colors)},
+      {"colours of faces", !a.polygon_colors.empty(),
+       format.holds(held::polygon_colors) && (a.colors.empty() || format.holds(held::both_colors))},
       {"groups", is_named, false},
       {"materials", !a.materials.empty(), false},
       {"textures", !a.images.empty(), false}};
@@ -157,8 +158,8 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
   if (!names.empty())
-    notes.push_back(std::string(format.name) + " cannot store some content of the file: " +
-                    TextWriter::one_line(list) + (names.size() > most ? " ..." : ""));
+    notes.push_back("left out of the " + std::string(format.name) + " file: " + TextWriter::one_line(list) +
+                    (names.size() > most ? " ..." : ""));
   if (!format.holds(held::polygons) && !content.surface.triangles.empty())
     tell_triangles(content.surface, notes);
   return notes;

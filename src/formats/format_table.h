@@ -20,8 +20,9 @@ enum What : unsigned {
   texture_points = 1 << 2,
   colors = 1 << 3,
   polygon_colors = 1 << 4,
-  normals = 1 << 5,        ///< one normal per vertex
-  corner_normals = 1 << 6  ///< several normals per vertex
+  normals = 1 << 5,         ///< one normal per vertex
+  corner_normals = 1 << 6,  ///< several normals per vertex
+  both_colors = 1 << 7      ///< colors and polygon_colors in one file
 };
 }  // namespace held
 

@@ -24,6 +24,23 @@ bool any_primitive(const GltfJson& document, const Is& is) {
   return false;
 }
 
+// Custom data of other programs. The names of morph targets are no such data.
+bool has_extras(const GltfJson& json) {
+  if (!json.is_structured()) return false;
+  for (const auto& [key, value] : json.items()) {
+    const bool are_names = value.is_object() && value.size() == 1 && value.contains("targetNames");
+    if (key == "extras" && json.is_object() ? !value.empty() && !are_names : has_extras(value)) return true;
+  }
+  return false;
+}
+
+// Returns true for extensions whose content is in the surface and its attributes.
+bool is_read(const std::string& extension) {
+  constexpr std::string_view read[] = {"KHR_texture_transform", "KHR_mesh_quantization", "EXT_texture_webp",
+                                       "KHR_texture_basisu", "KHR_materials_unlit"};
+  return std::ranges::find(read, extension) != std::end(read);
+}
+
 class GltfOriginal final : public Original {
 public:
   GltfOriginal(const Source& source, GltfFile file, GltfMap map)
@@ -49,6 +66,12 @@ public:
       const auto mode = count_of(p, "mode");
       return mode && *mode < 4;
     });
+    if (!text_of(member_of(document, "asset"), "copyright").empty()) found.emplace_back("copyright");
+    if (has_extras(document)) found.emplace_back("extras");
+    for (const GltfJson& extension : list_of(document, "extensionsUsed")) {
+      if (extension.is_string() && !is_read(extension))
+        found.push_back("extension " + extension.get<std::string>());
+    }
     return found;
   }
 

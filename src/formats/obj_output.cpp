@@ -238,13 +238,17 @@ public:
     const Source source = this->source();
     TextCursor text(source, obj_rules);
     std::size_t lines = 0, points = 0, others = 0;
+    bool smoothing = false;
     for (; text.next_filled_line(); text.next_line()) {
       const std::string_view word = text.word();
       const ObjWord kind = obj_word(word);
+      smoothing |= kind == ObjWord::smoothing;
       if (kind != ObjWord::other && kind != ObjWord::free_form) continue;
       ++(word == "l" || word == "L" ? lines : word == "p" || word == "P" ? points : others);
     }
     std::vector<std::string> found;
+    if (smoothing) found.emplace_back("smoothing groups");
+    if (has_comments(bytes_)) found.emplace_back("comments");
     if (lines > 0) found.push_back(base::counted(lines, "line"));
     if (points > 0) found.push_back(base::counted(points, "point"));
     if (others > 0) found.push_back(base::counted(others, "statement") + " of curves, surfaces and display");

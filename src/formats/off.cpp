@@ -78,6 +78,7 @@ public:
       file.vectors.push_back({.kind = FileVectors::Kind::normals, .element = "vertex"});
       file.vectors[1].set_places(std::move(normals_));
     }
+    if (has_comments(source_.bytes)) file.beyond_attributes.emplace_back("comments");
     result.original = original_of(source_, std::move(file));
     result.attributes = std::move(attributes);
     return result;

@@ -439,6 +439,8 @@ std::vector<std::string> beyond_attributes(const PlyHeader& header) {
   constexpr std::string_view of_faces =
       " vertex_indices vertex_index red green blue alpha texcoord texnumber ";
   std::vector<std::string> found;
+  if (header.has_comments) found.emplace_back("comments");
+  if (header.has_obj_info) found.emplace_back("obj_info");
   for (const PlyElement& element : header.elements) {
     if (element.count == 0) continue;
     const bool vertices = element.name == "vertex";

@@ -86,8 +86,9 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
   if (word == "comment" || word == "obj_info") {
     TextCursor ahead = text;
     builder.comment(text.rest_of_line());
-    if (word == "comment" && ahead.word() == "TextureFile")
-      header.texture_files.emplace_back(ahead.rest_of_line());
+    const bool is_texture = word == "comment" && ahead.word() == "TextureFile";
+    if (is_texture) header.texture_files.emplace_back(ahead.rest_of_line());
+    (word == "comment" ? header.has_comments : header.has_obj_info) |= !is_texture;
   } else if (word == "format") {
     header.format = format_named(text);
   } else if (word == "element") {

@@ -42,6 +42,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::vector<std::string> texture_files;  ///< from `comment TextureFile` lines, as MeshLab writes them
   std::size_t unknown_lines = 0;           ///< number of skipped lines
+  bool has_comments = false, has_obj_info = false;
 
   std::endian order() const { return format == Format::big_endian ? std::endian::big : std::endian::little; }
   const PlyElement* find(const std::string& name) const;

@@ -138,6 +138,7 @@ ReadResult read_binary(const Source& source) {
   const std::string_view head = source.bytes.substr(0, 80);
   builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
   CornerJoiner corners(builder);
+  bool has_attributes = false;
   for (std::size_t t = 0; t < triangles; ++t) {
     const char* const at = source.bytes.data() + layout->offset(t) + 12;
     for (int c = 0; c < 3; ++c) {
@@ -149,6 +150,7 @@ ReadResult read_binary(const Source& source) {
       corners.add(p);
     }
     builder.end_polygon();
+    has_attributes |= number_of_bytes<std::uint16_t>(at + 36) != 0;
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
   if (!layout->starts.empty()) builder.warn(source.name + ": ignored the attributes of triangles");
@@ -158,6 +160,9 @@ ReadResult read_binary(const Source& source) {
                  std::to_string(triangles) + " triangles that the header declares");
   ReadResult result = builder.finish("STL binary");
   VectorFile file = vectors_of_facets(false);
+  const std::string_view blanks(" \t\r\n\0", 5);
+  if (head.find_first_not_of(blanks) != head.npos) file.beyond_attributes.emplace_back("header");
+  if (has_attributes) file.beyond_attributes.emplace_back("attributes of triangles");
   for (FileVectors& vectors : file.vectors) {
     const bool normals = vectors.kind == FileVectors::Kind::normals;
     vectors.types.fill(NumberType::float32);
@@ -189,6 +194,7 @@ public:
     VectorFile file = vectors_of_facets(true);
     file.vectors[0].set_places(std::move(corner_places_));
     file.vectors[1].set_places(std::move(normal_places_));
+    if (is_named_) file.beyond_attributes.emplace_back("name of the solid");
     result.original = original_of(source_, std::move(file));
     return result;
   }
@@ -211,7 +217,9 @@ private:
     } else if (word == "endfacet") {
       end_facet();
     } else if (word == "solid") {
-      builder_.comment(text_.rest_of_line());
+      const std::string_view name = text_.rest_of_line();
+      is_named_ |= !name.empty();
+      builder_.comment(name);
     } else if (word == "endsolid") {
       ended_ = true;
     } else if (word != "outer" && word != "endloop") {
@@ -235,7 +243,7 @@ private:
   std::vector<FileVectors::Places> corner_places_, normal_places_;
   std::size_t lines_ = 0;
   int facet_corners_ = 0;
-  bool in_facet_ = false, ended_ = false;
+  bool in_facet_ = false, ended_ = false, is_named_ = false;
 };
 
 // Returns true if the file size matches the triangle count, or if the file is longer and has plausible

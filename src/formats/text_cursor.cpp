@@ -198,6 +198,12 @@ std::optional<double> number_in(std::string_view word) {
   return value;
 }
 
+bool has_comments(std::string_view text) {
+  for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1))
+    if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '\t' || text[at - 1] == '\n') return true;
+  return false;
+}
+
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t most = 32;
   std::string text(1, '"');

@@ -103,6 +103,9 @@ private:
 /// Returns the word as a number, or nullopt if the word is not a finite number.
 std::optional<double> number_in(std::string_view word);
 
+/// Returns true if the text has a comment that starts with '#'.
+bool has_comments(std::string_view text);
+
 /// Returns the word in quotes, cut after 32 bytes. '?' replaces bytes that are not printable ASCII.
 std::string in_quotes(std::string_view word);
 

@@ -49,7 +49,7 @@ struct Converted : test::TemporaryFolder {
 
 TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials") {
   Converted c;
-  CHECK(c.to("out.obj") == Notes{"OBJ cannot store some content of the file: groups, materials, textures"});
+  CHECK(c.to("out.obj") == Notes{"left out of the OBJ file: groups, materials, textures"});
   CHECK(c.entries() == 3);
   const ReadResult out = formats::read(c / "out.obj");
   CHECK(out.surface.positions == c.moved);
@@ -66,7 +66,7 @@ TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials"
 
 TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
   Converted c;
-  CHECK(c.to("out.ply") == Notes{"PLY cannot store some content of the file: several normals of a vertex, "
+  CHECK(c.to("out.ply") == Notes{"left out of the PLY file: several normals of a vertex, "
                                  "groups, materials, textures"});
   const ReadResult out = formats::read(c / "out.ply");
   CHECK(out.surface.positions == c.moved);
@@ -83,12 +83,12 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
   Converted c;
   CHECK(c.to("out.off").size() == 1);
   CHECK(formats::read(c / "out.off").attributes->colors == c.read.attributes->colors);
-  CHECK(c.to("out.stl") == Notes{"STL cannot store some content of the file: texture coordinates, normals, "
+  CHECK(c.to("out.stl") == Notes{"left out of the STL file: texture coordinates, normals, "
                                  "colours, groups, materials, textures"});
   CHECK(formats::read(c / "out.stl").surface.triangles.size() == 2);
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const ReadResult obj = test::read_kept(triangle + "l 1 2\nl 2 3\np 1\nlod 3\n", "obj");
-  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL cannot store some content of the file: 2 lines, 1 "
+  CHECK(convert(obj, c / "a.stl", true) == Notes{"left out of the STL file: 2 lines, 1 "
                                                  "point, 1 statement of curves, surfaces and display"});
   CHECK(convert(obj, c / "a.obj", true).empty());
   CHECK(convert(test::read_kept(triangle, "obj"), c / "b.stl", true).empty());
@@ -98,13 +98,46 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
       "quality\nelement edge 1\nproperty int vertex1\nend_header\n1 2 3 4\n0\n",
       "ply");
   CHECK(convert(ply, c / "a.off", true) ==
-        Notes{"OFF cannot store some content of the file: property quality of vertex, element edge"});
+        Notes{"left out of the OFF file: property quality of vertex, element edge"});
   test::GltfParts parts = test::patch();
   parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   parts.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 2;
   CHECK(holds(convert(test::read_kept(parts.glb(), "glb"), c / "a.ply", true).at(0),
               "textures, animations, morph targets, second texture coordinates"));
+}
+
+TEST_CASE("conversion_names_comments_headers_attributes_extras_and_extensions") {
+  const test::TemporaryFolder folder;
+  const auto left_out = [&](const std::string& bytes, const std::string& extension, const char* name) {
+    const auto notes = convert(test::read_kept(bytes, extension), folder / name, true);
+    return notes.empty() ? "" : notes[0].substr(notes[0].find(": ") + 2);
+  };
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\ns 1\nf 1 2 3\n";
+  CHECK(left_out("# by hand\n" + triangle, "obj", "a.ply") == "smoothing groups, comments");
+  const std::string head = "ply\nformat ascii 1.0\n",
+                    rest =
+                        "element vertex 1\nproperty float x\nproperty float "
+                        "y\nproperty float z\nend_header\n1 2 3\n";
+  CHECK(left_out(head + "comment by hand\nobj_info 7\n" + rest, "ply", "a.off") == "comments, obj_info");
+  CHECK(left_out(head + rest, "ply", "a.off").empty());
+  CHECK(left_out("OFF\n3 1 0\n0 0 0\n1 0 0 # corner\n0 1 0\n3 0 1 2\n", "off", "a.obj") == "comments");
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  CHECK(left_out("solid part 7\n" + facet, "stl", "a.obj") == "name of the solid");
+  CHECK(left_out("solid\n" + facet, "stl", "a.obj").empty());
+  std::string binary(84 + 50, '\0');
+  binary[80] = 1, binary[84 + 24] = binary[84 + 40] = '\x40';
+  CHECK(left_out(binary, "stl", "a.obj").empty());
+  binary[0] = 'x', binary[84 + 48] = 1;
+  CHECK(left_out(binary, "stl", "a.obj") == "header, attributes of triangles");
+  test::GltfParts parts = test::patch();
+  parts.json["asset"]["copyright"] = "someone";
+  parts.json["extensionsUsed"] = {"KHR_texture_transform", "EXT_other"};
+  CHECK(holds(left_out(parts.glb(), "glb", "a.obj"), "copyright, extras, extension EXT_other"));
+  CHECK(left_out("COFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2 255 0 0\n", "off", "a.glb") ==
+        "colours of faces");
 }
 
 TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
@@ -114,8 +147,7 @@ TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
   for (const char* name : {"a.glb", "a.gltf"}) {
     const Content content{square.surface, square.surface.positions, square.comments, square.attributes.get()};
     CHECK(formats::write(folder / name, content, nullptr, {}) ==
-          Notes{"glTF cannot store some content of the file: groups",
-                "2 faces of more than three corners became triangles"});
+          Notes{"left out of the glTF file: groups", "2 faces of more than three corners became triangles"});
     CHECK(formats::read(folder / name).surface.positions.size() == 4);
   }
 }

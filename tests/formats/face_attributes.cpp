@@ -105,8 +105,8 @@ TEST_CASE("face_colours_are_written_where_the_format_has_them") {
   const std::string bytes = test::file_bytes(folder / "a.glb");
   CHECK(holds(bytes, "COLOR_0"));
   CHECK(formats::write(folder / "b.stl",
-                       Content{off.surface, off.surface.positions, {}, off.attributes.get()}, nullptr, {}) ==
-        std::vector<std::string>{"STL cannot store some content of the file: colours of faces"});
+                       Content{off.surface, off.surface.positions, {}, off.attributes.get()}, nullptr,
+                       {}) == std::vector<std::string>{"left out of the STL file: colours of faces"});
 }
 
 TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
