@@ -8,7 +8,6 @@
 #include "deform/shape_space.h"
 #include "files/shape_import.h"
 #include "formats/read.h"
-#include "mesh/normals.h"
 
 namespace viete::bench {
 
@@ -45,26 +44,6 @@ private:
   deform::Held held_;
   deform::LogSpace::Work work_;
 };
-
-ShapePicture picture_of(const std::string& name, const mesh::Surface& rest, const Points& positions) {
-  constexpr std::size_t most_dots = 3000;
-  constexpr double aside = 0.5, above = 0.6;  // radians
-  const mesh::Point right{std::cos(aside), 0, -std::sin(aside)},
-      toward{std::sin(aside) * std::cos(above), std::sin(above), std::cos(aside) * std::cos(above)};
-  const mesh::Point up = mesh::cross(toward, right), middle = mesh::bounds(positions).center();
-  const double diagonal = mesh::bounds(rest.positions).diagonal();
-  Points normals(positions.size());
-  mesh::vertex_normals(positions, rest.triangles, mesh::vertex_triangles(positions.size(), rest.triangles), 0,
-                       positions.size(), normals);
-  ShapePicture picture{name, {}};
-  const std::size_t step = std::max<std::size_t>(1, positions.size() / (2 * most_dots));
-  for (std::size_t v = 0; v < positions.size(); v += step) {
-    const mesh::Point p = positions[v] - middle;
-    if (mesh::dot(normals[v], toward) > 0)
-      picture.dots.push_back({mesh::dot(p, right) / diagonal, mesh::dot(p, up) / diagonal});
-  }
-  return picture;
-}
 
 }  // namespace
 
@@ -120,12 +99,7 @@ Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
     }
     halfway.rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
     const auto volume_of = [&](std::size_t row) { return double(halfway.rows[row]["straight"]["volume"]); };
-    if (i > 0 && !(volume_of(i) < volume_of(halfway.most_lost))) continue;
-    halfway.most_lost = i;
-    halfway.pictures = {picture_of("at rest", model.rest, from),
-                        picture_of("halfway, linear", model.rest, straight),
-                        picture_of("halfway, log space", model.rest, in_log_space),
-                        picture_of(name_of_shape(halfway.rows[i]), model.rest, to)};
+    if (volume_of(i) < volume_of(halfway.most_lost)) halfway.most_lost = i;
   }
   return halfway;
 }

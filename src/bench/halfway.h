@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "bench/plot.h"
 #include "mesh/half_edges.h"
 #include "mesh/surface.h"
 
@@ -29,21 +28,13 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
-/// A picture of the visible side of a model, seen from above and from one side. Each dot is a vertex. The
-/// centre of the picture is 0, y points up, and lengths are in diagonals of the model at rest.
-struct ShapePicture {
-  std::string name;
-  std::vector<SvgPoint> dots;
-};
-
 /// Results halfway from rest to each shape, in log space and with linear interpolation.
 struct Halfway {
   /// One row for each shape. "edges" is edge_error(). "volume" is relative to the smaller volume of rest and
   /// shape, or NaN if the model encloses no volume. "volumes" has the relative volumes at 21 even steps from
   /// rest to the shape.
   nlohmann::json rows;
-  std::size_t most_lost = 0;           ///< row of the smallest volume halfway, with linear interpolation
-  std::vector<ShapePicture> pictures;  ///< pictures from rest to the shape of row `most_lost`
+  std::size_t most_lost = 0;  ///< row of the smallest volume halfway, with linear interpolation
 };
 /// Requires one shape or more. Throws base::Cancelled.
 Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress);

@@ -62,13 +62,6 @@ void Svg::disc(SvgPoint center, double radius, const char* color) {
                      color);
 }
 
-void Svg::dots(std::span<const SvgPoint> centers, const char* color, double size) {
-  body_ += formatted("<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linecap=\"round\" d=\"",
-                     color, size);
-  for (const SvgPoint& p : centers) body_ += formatted("M%.1f %.1fh0", p.x, p.y);
-  body_ += "\"/>\n";
-}
-
 void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
   body_ += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"2\" fill=\"%s\"/>\n",
                      corner.x, corner.y, width, height, color);

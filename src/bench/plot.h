@@ -31,8 +31,6 @@ public:
   void line(SvgPoint from, SvgPoint to, const char* color, double width);
   void curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed);
   void disc(SvgPoint center, double radius, const char* color);
-  /// Draws small discs of diameter `size`.
-  void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
   std::string document() const { return body_ + "</svg>\n"; }

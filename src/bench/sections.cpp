@@ -50,8 +50,8 @@ std::string lost_volume(const nlohmann::json& way) {
   return lost < 0.5 ? "nothing" : percent(lost);
 }
 
-std::string plots(const std::string& figures, const std::string& kind = "plots") {
-  return "<div class=\"" + kind + "\">" + figures + "</div>\n";
+std::string plots(const std::string& figures) {
+  return "<div class=\"plots\">" + figures + "</div>\n";
 }
 
 std::string details(const std::string& title, const std::string& body) {
@@ -442,22 +442,6 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
-std::string drawn(std::vector<ShapePicture> pictures) {
-  constexpr double width = 200, height = 170, margin = 6;
-  double scale = 1e9;
-  for (const auto& picture : pictures)
-    for (const auto& [x, y] : picture.dots)
-      scale = std::min({scale, (width / 2 - margin) / std::abs(x), (height / 2 - margin) / std::abs(y)});
-  std::string text;
-  for (auto& [name, dots] : pictures) {
-    for (SvgPoint& p : dots) p = {width / 2 + scale * p.x, height / 2 - scale * p.y};
-    Svg svg(width, height);
-    svg.dots(dots, "#1f2933", 0.9);
-    text += figure(name, svg.document());
-  }
-  return plots(text, "plots small");
-}
-
 Section shapes_section(const Figures& figures) {
   Section section{"shapes", "Not in the paper", "Between shapes", "", "", "", {}};
   Table table{{"halfway to", "volume, log space", "volume, linear", "edges, log space", "edges, linear"}, {}};
@@ -475,7 +459,6 @@ Section shapes_section(const Figures& figures) {
         table.rows.back().push_back(percent(100 * double(row[key][what])));
   }
   section.body =
-      drawn(figures.shapes.pictures) +
       plots(curves + figure("deviation of edge lengths halfway, %", draw_bars(edges))) + html(table) +
       paragraph(
           "Volume: relative to the smaller of both shapes. Edges: root mean square deviation of the "
