@@ -162,7 +162,7 @@ void join_equal(const Surface& rest, std::span<const Point> posed, std::span<con
       if (home[i] != none && is_single[i] && squared_norm(vectors[i]) > 0) add(places[home[i]], i);
     }
   });
-  const double cell = 1e-7 * bounds(posed).diagonal();
+  const double size = bounds(posed).diagonal(), cell = size > 0 ? 1e-7 * size : 1;
   const auto key = [&](std::uint32_t i) {
     Point p = posed[home[i]];
     for (double& x : p) x = std::round(x / cell);
@@ -176,7 +176,7 @@ void join_equal(const Surface& rest, std::span<const Point> posed, std::span<con
     std::ranges::stable_sort(equal, {}, key);
     for (auto first = equal.begin(); first != equal.end();) {
       const auto end =
-          std::find_if(first, equal.end(), [&](std::uint32_t i) { return key(i) != key(*first); });
+          std::find_if(first + 1, equal.end(), [&](std::uint32_t i) { return key(i) != key(*first); });
       Sum all;
       for (auto i = first; i != end; ++i) {
         all.vector = all.vector + sums[*i].vector;

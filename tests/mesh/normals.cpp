@@ -124,6 +124,8 @@ TEST_CASE("equal_normals_of_vertices_at_one_place_stay_equal") {
   CHECK(norm(normals[5] - left) < 1e-14);
   const std::vector<std::uint32_t> of_faces = {0, 0, 0, 0, 1, 1, 1, 1};
   CHECK(norm(deformed_normals(two, posed, std::vector<Vec3>(2, up), of_faces)[1] - left) < 1e-14);
+  const std::vector<Point> collapsed(8, Point{0, 0, 0});
+  CHECK(deformed_normals(two, collapsed, std::vector<Vec3>(8, up), two.corners).size() == 8);
   for (const std::size_t v : {4, 5, 6, 7}) posed[v][0] += 0.5;
   CHECK(deformed_normals(two, posed, std::vector<Vec3>(8, up), two.corners)[1] == up);
 }
