@@ -22,7 +22,7 @@ CoarseModel::CoarseModel(const mesh::Surface& model, base::WorkerPool& pool, bas
                         "a coarse copy of " + std::to_string(model.positions.size()) + " vertices takes",
                         "use a coarser model", ""});
   const SurfaceProxy proxy(model, nullptr, Elements::face, proxy_vertices, pool, progress);
-  surface_ = proxy.surface(), members_ = proxy.members();
+  surface_ = proxy.surface(), members_ = proxy.members(), gathered_ = proxy.gathered();
   pool.for_blocks(model.positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
     Block& block = blocks_[begin / vertices_per_block];
     std::vector<SurfaceProxy::Term> terms;

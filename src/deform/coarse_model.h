@@ -39,6 +39,8 @@ public:
 
   const mesh::Surface& surface() const { return surface_; }
   const mesh::Adjacency& members() const { return members_; }
+  /// See SurfaceProxy::gathered().
+  std::size_t gathered() const { return gathered_; }
   /// A value at a vertex is the sum of factor * (value at the cluster).
   std::span<const Term> terms(std::size_t vertex) const;
   /// Replaces clusters that have no triangle with an area: their vertices move with the nearest other
@@ -60,6 +62,7 @@ private:
 
   mesh::Surface surface_;
   mesh::Adjacency members_;
+  std::size_t gathered_ = 0;
   std::vector<Block> blocks_;
 };
 

@@ -42,12 +42,16 @@ Vec3 vec(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
 
-// Unit vectors: two orthogonal directions u and v in the plane of a triangle, and the normal n.
+// Unit vectors: two orthogonal directions u and v in the plane of a triangle, and the normal n. In a
+// coupling, u is the direction of the line.
 struct Axes {
   Vec3 u, v, n;
 };
 Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
-  const Vec3 side = p[t[1]] - p[t[0]], across = cross(side, p[t[2]] - p[t[0]]);
+  const Vec3 side = p[t[1]] - p[t[0]];
+  Vec3 across = cross(side, p[t[2]] - p[t[0]]);
+  if (t[1] == t[2])
+    across = cross(side, std::abs(side[0]) < std::abs(side[1]) ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
   const Vec3 u = (1 / norm(side)) * side, n = (1 / norm(across)) * across;
   return {u, cross(n, u), n};
 }
@@ -62,7 +66,18 @@ struct ExamplePosing::Reach {
 
 ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples,
                              base::WorkerPool& pool)
-    : space_(space), examples_(std::move(examples)), pool_(pool) {
+    : joined_(space.joined(pool)),
+      space_(joined_ ? *joined_ : space),
+      examples_(std::move(examples)),
+      pool_(pool) {
+  if (joined_) {
+    for (const LogVector* example : examples_) {
+      std::vector<mesh::Point> shape = space_.rest();
+      for (std::size_t v = 0; v < shape.size(); ++v) shape[v] = shape[v] + space.ways(*example)[v];
+      vectors_.push_back(space_.vector(shape, pool));
+    }
+    for (std::size_t e = 0; e < vectors_.size(); ++e) examples_[e] = &vectors_[e];
+  }
   const auto& rest = space_.logs().rest();
   for (const LogVector* example : examples_) {
     const Vec3 back = -1.0 * example->wholes[0];

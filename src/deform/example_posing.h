@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,11 +46,12 @@ struct PosingSettings {
 /// its minimum over x without pins is subtracted. Weights may be below 0 and above 1. Gauss-Newton steps with
 /// exact derivatives find w and G. For each w and G, a small linear system for the pins gives the best x. In
 /// a drag, one step per frame is enough. Not thread-safe. Results do not depend on the number of threads.
-/// If the space has a coarse model, x are its vertices.
+/// If the space has a coarse model, x are its vertices. Near parts move as one, see ShapeSpace::joined().
 class ExamplePosing {
 public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
+  ExamplePosing(const ExamplePosing&) = delete;
 
   /// Replaces the pins. Weights, rotation and positions do not change. Two pins must not have the same
   /// vertex. Takes some milliseconds per pin. Throws base::Error before any change if there are more than
@@ -100,7 +102,9 @@ private:
   void reach_targets();
   void place_other_parts();
 
+  const std::optional<ShapeSpace> joined_;  // moves near parts as one; empty if there is only one part
   const ShapeSpace& space_;
+  std::vector<LogVector> vectors_;  // the examples in joined_
   std::vector<const LogVector*> examples_;
   base::WorkerPool& pool_;
   std::vector<std::vector<Vec3>> leftovers_;  // per example: LogVector::leftovers without the whole turn

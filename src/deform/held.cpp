@@ -86,7 +86,7 @@ Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const
     double total = 0;
     for (const auto v : vertices) {
       const double moved = farthest > 0 ? squares[v] / farthest + stillness : 1;
-      total += held[v] = (parts.masses.empty() ? 1 : parts.masses[v]) / (moved * moved);
+      total += held[v] = parts.masses[v] / (moved * moved);
     }
     for (const auto v : vertices) held[v] /= total;
     const AffineFit fit = fit_of(vertices, held, from, ways);

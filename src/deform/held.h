@@ -12,7 +12,7 @@ namespace viete::deform {
 struct HangingParts {
   mesh::Adjacency vertices;    ///< vertices of each connected part
   std::vector<bool> loose;     ///< true: the vertex has no triangles and belongs to no part
-  std::vector<double> masses;  ///< factor of each vertex's weight in its anchor; if empty, all are 1
+  std::vector<double> masses;  ///< area around each vertex: factor of its weight in its part's anchor
 
   std::size_t count() const { return vertices.starts.size() - 1; }
 };

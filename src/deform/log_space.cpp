@@ -58,13 +58,10 @@ public:
   }
   // Does the same for a list of indices into triangles_.
   void pull_by_logs(std::span<const std::uint32_t> places) {
-    if (places.size() < size) std::fill_n(gathered_[0], 12 * plane_stride, 0.0);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const Plane* of = space_.sides_of(places[i]);
-      for (std::size_t n = 0; n < 12; ++n) gathered_[n][i] = of[n][places[i] % size];
-    }
+    const auto at = [places](std::size_t i) { return places[i]; };
+    gather(places.size(), at);
     sides_ = next_sides_ = gathered_;
-    pull_by_logs_of(places.size(), [places](std::size_t i) { return places[i]; });
+    pull_by_logs_of(places.size(), at);
   }
 
   // Computes the pulls for the rotations that best fit the displacements. Call pull_by_logs() for these
@@ -72,8 +69,12 @@ public:
   // sides at rest, e'_k the displaced sides, c_k the half cotangents, and S is the stretch.
   template <class At>
   void pull_by_fit(std::size_t count, const At& at) {
-    for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, at, k);
-    kernel_.spread(posed_, sides_, sides_ + 9, maps_);
+    // A line does not determine a rotation: a coupling takes the rotation of the triangle beside it.
+    const auto fitted = [&](std::size_t i) { return space_.index_of_[space_.triangles_[at(i)]]; };
+    const Plane* sides = sides_;
+    if (fitted(count - 1) != at(count - 1)) gather(count, fitted), sides = gathered_;
+    for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, fitted, sides, k);
+    kernel_.spread(posed_, sides, sides + 9, maps_);
     kernel_.times_symmetric(maps_, stretches_, rotations_);
     const sym3::MatView<double> rotations(rotations_[0], plane_stride);
     sym3::polar(rotations, rotations, count);
@@ -109,11 +110,20 @@ private:
   }
 
   template <class At>
-  void read_posed_side(std::size_t count, const At& at, std::size_t k) {
+  void gather(std::size_t count, const At& at) {
+    if (count < size) std::fill_n(gathered_[0], 12 * plane_stride, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Plane* of = space_.sides_of(at(i));
+      for (std::size_t n = 0; n < 12; ++n) gathered_[n][i] = of[n][at(i) % size];
+    }
+  }
+
+  template <class At>
+  void read_posed_side(std::size_t count, const At& at, const Plane* sides, std::size_t k) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto& corners = space_.placed_[at(i)];
       const Vec3 way = work_.ways[corners[(k + 1) % 3]] - work_.ways[corners[(k + 2) % 3]];
-      for (std::size_t j = 0; j < 3; ++j) posed_[3 * k + j][i] = sides_[3 * k + j][i] + way[j];
+      for (std::size_t j = 0; j < 3; ++j) posed_[3 * k + j][i] = sides[3 * k + j][i] + way[j];
     }
   }
 
@@ -183,18 +193,48 @@ SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
     placed_.push_back({places_[a], places_[b], places_[c]});
     cotangents_.push_back(half_cotangents(rest_[a], rest_[b], rest_[c]));
   }
+  const std::vector<Coupling> couplings = add_couplings(mesh.couplings);
   fill_sides();
   around_ = mesh::make_adjacency(rest_.size(), [&](const auto& add) {
     for (std::uint32_t i = 0; i < placed_.size(); ++i)
       for (std::uint32_t k = 0; k < 3; ++k) add(placed_[i][k], 3 * i + k);
   });
-  const SparseMatrix stiffness = stiffness_matrix(rest_, placed_);
+  const SparseMatrix stiffness = with_couplings(stiffness_matrix(rest_, placed_), couplings);
   find_parts(connected(stiffness));
-  parts_.masses = mesh.masses;
+  add_masses();
   std::vector<bool> free(rest_.size());
   for (std::uint32_t v = 0; v < rest_.size(); ++v) free[v] = !parts_.loose[v] && places_[v] == v;
   for (const auto v : grounded_) free[v] = false;
   return grounded(stiffness, free);
+}
+
+// Adds the couplings of different parts as triangles. Returns them, between places.
+std::vector<Coupling> LogSpace::add_couplings(std::span<const Coupling> couplings) {
+  std::vector<Coupling> added;
+  if (couplings.empty()) return added;
+  auto parts = mesh::parts_by_triangles(rest_.size(), placed_);
+  std::vector<std::uint32_t> beside(rest_.size(), mesh::none);
+  for (std::uint32_t i = 0; i < placed_.size(); ++i)
+    for (const auto v : placed_[i]) beside[v] = i;
+  for (const Coupling& coupling : couplings) {
+    const auto a = places_[coupling.vertex], b = places_[coupling.triangle[0]], i = beside[a];
+    if (i == mesh::none || beside[b] == mesh::none || parts.find(a) == parts.find(b)) continue;
+    added.push_back({a, {b, b, b}, {1, 0, 0}, coupling.strength});
+    triangles_.push_back(triangles_[i]), part_of_.push_back(part_of_[i]);
+    corners_.push_back({a, b, b}), placed_.push_back({a, b, b});
+    cotangents_.push_back({0, 0, coupling.strength});
+  }
+  return added;
+}
+
+void LogSpace::add_masses() {
+  parts_.masses.assign(rest_.size(), 0);
+  const double unit = mesh::bounds(rest_).diagonal();
+  for (const auto& t : corners_) {
+    const Vec3 across =
+        cross((1 / unit) * (rest_[t[1]] - rest_[t[0]]), (1 / unit) * (rest_[t[2]] - rest_[t[0]]));
+    for (const auto v : t) parts_.masses[v] += norm(across);
+  }
 }
 
 void LogSpace::fill_sides() {

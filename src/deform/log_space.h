@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/held.h"
+#include "deform/part_coupling.h"
 #include "deform/plane_kernel.h"
 #include "deform/sparse/sparse_cholesky.h"
 #include "mesh/adjacency.h"
@@ -65,6 +66,9 @@ Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member
 /// fit the positions, and solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007).
 /// This keeps edge lengths if the rotations of neighbours differ strongly. The anchors (see Held) determine
 /// the translations of the parts.
+///
+/// A coupling of the vertices a and b keeps the map of a triangle at a, M, between them: it adds the energy
+/// strength * |(p_a - p_b) - M * (rest_a - rest_b)|^2, and its two parts count as one.
 class LogSpace {
 public:
   struct Mesh {
@@ -73,7 +77,7 @@ public:
     std::span<const std::uint8_t> degenerate;  ///< 1: the triangle has no area and is ignored
     std::span<const std::uint32_t> parts;      ///< per triangle, an index into LogVector::wholes
     std::size_t part_count = 0;
-    std::vector<double> masses{};  ///< see HangingParts
+    std::span<const Coupling> couplings{};  ///< join parts; results of vertex_couplings()
   };
   /// The buffers of one thread. Reuse avoids allocations.
   struct Work {
@@ -118,8 +122,8 @@ public:
   /// three coordinates at once.
   void solve(Work& work) const;
 
-  /// The triangles with area: corners, half cotangents and indices in the mesh. place() returns the first
-  /// vertex at the position of `vertex`.
+  /// The triangles with area, then the couplings of a and b as triangles (a, b, b): corners, half cotangents
+  /// and indices in the mesh. place() returns the first vertex at the position of `vertex`.
   std::span<const mesh::Triangle> corners() const { return corners_; }
   std::span<const Vec3> cotangents() const { return cotangents_; }
   std::span<const std::uint32_t> triangles() const { return triangles_; }
@@ -132,6 +136,8 @@ private:
   class Block;
 
   SparseMatrix add_triangles(const Mesh& mesh);
+  std::vector<Coupling> add_couplings(std::span<const Coupling> couplings);
+  void add_masses();
   void fill_sides();
   const Plane* sides_of(std::size_t i) const {
     return reinterpret_cast<const Plane*>(sides_.data()) + i / plane_size * 12;
@@ -153,7 +159,7 @@ private:
   std::vector<mesh::Point> rest_;
   std::size_t part_count_;
   std::vector<std::uint32_t> index_of_;   // per triangle of the mesh: its index in the arrays below
-  std::vector<std::uint32_t> triangles_;  // triangles with area
+  std::vector<std::uint32_t> triangles_;  // triangles with area, then a triangle at each coupling
   std::vector<mesh::Triangle> corners_;   // corners of triangles_
   std::vector<mesh::Triangle> placed_;    // places of corners_
   std::vector<std::uint32_t> part_of_;    // parts of triangles_

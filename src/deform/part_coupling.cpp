@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/half_edges.h"
 #include "mesh/point_tree.h"
+#include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/union_find.h"
@@ -133,6 +135,49 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
   return couplings;
 }
 
+PartedSurface parted_surface(const mesh::Surface& surface, std::vector<double> masses) {
+  PartedSurface parted{surface, std::move(masses), {}};
+  const auto table = mesh::half_edges(surface.positions.size(), surface.triangles);
+  mesh::UnionFind sets(surface.triangles.size());
+  for (std::size_t e = 0; e < table.edges.size(); ++e)
+    for (const auto& side : table.of(e)) sets.join(side.triangle, table.of(e)[0].triangle);
+  // For each vertex, its copies as pairs of part and vertex. The first is the vertex itself.
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> copies(surface.positions.size());
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    if (mesh::repeats_corner(surface.triangles[t])) continue;
+    const auto part = sets.find(t);
+    for (auto& v : parted.surface.triangles[t]) {
+      auto& of_vertex = copies[v];
+      auto copy = std::ranges::find(of_vertex, part, &std::pair<std::uint32_t, std::uint32_t>::first);
+      if (copy == of_vertex.end()) {
+        const bool first = of_vertex.empty();
+        of_vertex.push_back({part, first ? v : static_cast<std::uint32_t>(parted.masses.size())});
+        copy = of_vertex.end() - 1;
+        if (!first) {
+          parted.origins.push_back(v);
+          parted.surface.positions.push_back(surface.positions[v]);
+          parted.masses.push_back(parted.masses[v]);
+        }
+      }
+      v = copy->second;
+    }
+  }
+  return parted;
+}
+
+std::vector<Coupling> PartedSurface::joined(std::vector<Coupling> couplings) const {
+  const std::size_t first = masses.size() - origins.size();
+  const auto origin = [&](std::uint32_t v) { return v < first ? v : origins[v - first]; };
+  for (Coupling& c : couplings) {
+    c.vertex = origin(c.vertex);
+    for (auto& v : c.triangle) v = origin(v);
+  }
+  std::erase_if(couplings, [](const Coupling& c) {
+    return std::ranges::find(c.triangle, c.vertex) != c.triangle.end();
+  });
+  return couplings;
+}
+
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings) {
   std::vector<Coupling> result;
   for (const auto& [vertex, t, shares, strength] : couplings) {
@@ -141,6 +186,13 @@ std::vector<Coupling> by_corners(std::span<const Coupling> couplings) {
     }
   }
   return result;
+}
+
+std::vector<Coupling> vertex_couplings(const mesh::Surface& surface, base::WorkerPool& pool) {
+  const mesh::Surface joined = mesh::welded(surface);
+  const PartedSurface parted = parted_surface(joined, intrinsic_laplacian(joined).masses);
+  const mesh::EdgePaths paths(parted.surface);
+  return by_corners(parted.joined(part_couplings(parted.surface, paths, parted.masses, pool)));
 }
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings) {

@@ -37,9 +37,24 @@ inline constexpr double most_strength = 1e4;
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 
+/// A surface whose vertices belong to one part each: edges connect the triangles of a part. Parts that share
+/// single vertices, such as an eye that touches its socket, have copies of these vertices, at the end.
+struct PartedSurface {
+  mesh::Surface surface;
+  std::vector<double> masses;          ///< one per vertex
+  std::vector<std::uint32_t> origins;  ///< for each copy, the vertex of the original surface
+
+  /// Returns couplings of this surface as couplings of the original surface.
+  std::vector<Coupling> joined(std::vector<Coupling> couplings) const;
+};
+PartedSurface parted_surface(const mesh::Surface& surface, std::vector<double> masses);
+
 /// Splits each coupling into couplings to the corners with a positive share. Such couplings add no positive
 /// off-diagonal entries to a matrix. But they resist linear functions on the triangle, unlike the original.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
+
+/// Returns the couplings of any surface, by_corners().
+std::vector<Coupling> vertex_couplings(const mesh::Surface& surface, base::WorkerPool& pool);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);
 

@@ -109,24 +109,35 @@ std::optional<CoarseModel> ShapeSpace::coarse_of(const mesh::Surface& rest, base
   if (!needs_coarse_model(rest)) return {};
   const base::ProgressPart part(progress, 0, coarse_part);
   CoarseModel coarse(rest, pool, progress);
-  if (100 * coarse.adopt_clusters() > rest.positions.size()) return {};
+  if (100 * std::max(coarse.gathered(), coarse.adopt_clusters()) > rest.positions.size()) return {};
   return coarse;
 }
 
-ShapeSpace::ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress)
-    : coarse_(coarse_of(rest, pool, progress)),
-      triangles_(triangles_of(coarse_ ? coarse_->surface() : rest)),
-      logs_([&] {
+ShapeSpace::ShapeSpace(const mesh::Surface& rest, std::optional<CoarseModel> coarse,
+                       std::span<const Coupling> couplings, base::WorkerPool& pool, base::Progress* progress)
+    : coarse_(std::move(coarse)), triangles_(triangles_of(coarse_ ? coarse_->surface() : rest)), logs_([&] {
         const base::ProgressPart part(progress, needs_coarse_model(rest) ? coarse_part : 0, 1);
         const auto& solved = coarse_ ? coarse_->surface() : rest;
         const std::vector<std::uint32_t> parts(solved.triangles.size(), 0);
-        std::vector<double> masses;
-        for (std::size_t c = 0; coarse_ && c < solved.positions.size(); ++c)
-          masses.push_back(static_cast<double>(coarse_->members().of(c).size()));
-        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1, masses}, pool,
-                        progress);
+        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1, couplings},
+                        pool, progress);
       }()) {
   if (coarse_) rest_ = rest.positions;
+}
+
+std::optional<ShapeSpace> ShapeSpace::joined(base::WorkerPool& pool) const {
+  if (logs_.parts().count() < 2) return {};
+  mesh::Surface model;
+  if (coarse_) {
+    model.positions = rest_;
+  } else {
+    model = mesh::from_triangles(logs_.rest(), triangles_.corners);
+  }
+  std::optional<CoarseModel> coarse = coarse_;
+  if (!coarse && needs_coarse_model(model)) coarse.emplace(model, pool), coarse->adopt_clusters();
+  const auto couplings = vertex_couplings(coarse ? coarse->surface() : model, pool);
+  if (couplings.empty() && coarse.has_value() == coarse_.has_value()) return {};
+  return ShapeSpace(model, std::move(coarse), couplings, pool, nullptr);
 }
 
 ShapeSpace::Triangles ShapeSpace::triangles_of(const mesh::Surface& rest) {

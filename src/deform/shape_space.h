@@ -38,7 +38,12 @@ struct ShapeReport {
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.
-  explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
+  explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr)
+      : ShapeSpace(rest, coarse_of(rest, pool, progress), {}, pool, progress) {}
+  /// Returns a space of the same model in which couplings join near parts, see vertex_couplings(), for poses
+  /// that do not determine the motion of each part. If the model has many small parts, it has a coarse model.
+  /// Returns nothing if that space would be this one.
+  std::optional<ShapeSpace> joined(base::WorkerPool& pool) const;
 
   /// The log space of the model, or of its coarse model.
   const LogSpace& logs() const { return logs_; }
@@ -76,6 +81,8 @@ private:
   };
   class Folds;
 
+  ShapeSpace(const mesh::Surface& rest, std::optional<CoarseModel> coarse,
+             std::span<const Coupling> couplings, base::WorkerPool& pool, base::Progress* progress);
   static std::optional<CoarseModel> coarse_of(const mesh::Surface& rest, base::WorkerPool& pool,
                                               base::Progress* progress);
   static Triangles triangles_of(const mesh::Surface& rest);

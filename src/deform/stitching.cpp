@@ -14,9 +14,7 @@
 #include "deform/maps.h"
 #include "deform/part_coupling.h"
 #include "deform/staged_engine.h"
-#include "mesh/edge_paths.h"
 #include "mesh/point_index.h"
-#include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 
@@ -70,9 +68,7 @@ private:
   }
 
   void find_couplings() {
-    const mesh::Surface joined = mesh::welded(model_);
-    const auto masses = intrinsic_laplacian(joined).masses;
-    couplings_ = by_corners(part_couplings(joined, mesh::EdgePaths(joined), masses, pool_));
+    couplings_ = vertex_couplings(model_, pool_);
     const auto lowest = mesh::lowest_in_place(model_.positions);
     for (std::uint32_t v = 0; v < lowest.size(); ++v) {
       const auto w = lowest[v];

@@ -1,13 +1,15 @@
 #include "deform/surface_proxy.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
-#include "deform/cage_state.h"
+#include "deform/small_parts.h"
 #include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
@@ -25,16 +27,14 @@ constexpr int most_halvings = 5;
 // weights are continuous between clusters.
 constexpr int rings = 4;
 constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
-constexpr double fit_reach = 1.9;    // radius of influence, in mean distances to the neighbours
+// If more vertices than one in this many are in parts without triangles between clusters, they are gathered.
+constexpr std::size_t least_lost = 100;
+constexpr double fit_reach = 1.9;  // radius of influence, in mean distances to the neighbours
 // Added to the diagonal of the fit's matrix to limit extrapolation at tips. Relative to the sum of factors.
 constexpr double ridge_linear = 7e-3, ridge_quadratic = 5e-3;
-constexpr double least_facing = 0.1;  // lower limit of the cosine between normals of cluster and vertex
-
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
+constexpr std::size_t gathered_share = 3;  // the target divided by the number of clusters of small parts
+constexpr double reach_in_space = 1.15;    // like fit_reach, for clusters of small parts
+constexpr double least_facing = 0.1;       // lower limit of the cosine between normals of cluster and vertex
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -90,8 +90,6 @@ public:
     }
   }
 
-  double total_area() const { return area_; }
-
   /// Makes clusters for this cell size, and returns their number. Counts only clusters with area.
   std::size_t divide(double cell) {
     cell_ = cell;
@@ -142,6 +140,38 @@ public:
   }
 
   std::uint32_t find(std::uint32_t v) { return sets_.find(v); }
+
+  /// Makes clusters with the properties in SurfaceProxy: at most `target`, if that is possible.
+  template <class Report>
+  void make(std::size_t target, std::span<const std::uint32_t> apart, const Report& report) {
+    double cell = std::sqrt(1.3 * area_ / static_cast<double>(target));
+    const auto divided = [&] {
+      report();
+      return divide(cell);
+    };
+    for (int tries = 0; tries < 6; ++tries) {
+      std::size_t count = divided();
+      while (count <= target && refine(apart)) count = divided();
+      if (count <= target) break;
+      cell *= 1.03 * std::sqrt(static_cast<double>(count) / static_cast<double>(target));
+    }
+  }
+
+  /// Marks the vertices of parts in which no triangle has corners in three clusters. Returns their number.
+  std::size_t mark_lost(std::vector<bool>& lost) {
+    auto parts = mesh::parts_by_triangles(level_.size(), triangles_);
+    std::vector<bool> kept(level_.size(), false);
+    for (const auto& t : triangles_) {
+      const std::uint32_t a = sets_.find(t[0]), b = sets_.find(t[1]), c = sets_.find(t[2]);
+      if (a != b && b != c && c != a) kept[parts.find(t[0])] = true;
+    }
+    std::size_t count = 0;
+    for (const auto& t : triangles_) {
+      if (kept[parts.find(t[0])]) continue;
+      for (const auto v : t) count += !lost[v], lost[v] = true;
+    }
+    return count;
+  }
 
 private:
   std::uint64_t cell_of(std::uint32_t v) const {
@@ -197,6 +227,10 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage* cage, Element
     for (auto& v : t) v = place[v];
     if (!mesh::repeats_corner(t)) triangles_.push_back(t);
   }
+  const auto has_area = [&](const auto& t) { return mesh::area(model.positions, t) > 0; };
+  if (std::ranges::none_of(triangles_, has_area))
+    throw base::Error("", "all triangles of the model have zero area; these weights need a surface",
+                      "choose the weights \"inverse\", or another model");
   if (progress) progress->report(0.1);
   std::vector<std::uint32_t> owned;
   if (cage) owned = owned_by_handles(model, triangles_, place, *cage, elements, pool);
@@ -213,35 +247,48 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage* cage, Element
 
 void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>& place,
                            std::span<const std::uint32_t> apart, base::Progress* progress) {
-  Clusters clusters(model_, triangles_);
-  if (!(clusters.total_area() > 0)) {
-    throw base::Error("", "all triangles of the model have zero area; these weights need a surface",
-                      "choose the weights \"inverse\", or another model");
-  }
-  double cell = std::sqrt(1.3 * clusters.total_area() / static_cast<double>(target));
   double left = 0.8;
-  const auto divide = [&] {
+  const auto report = [&] {
     if (progress) progress->report(0.9 - (left *= 0.85));
-    return clusters.divide(cell);
   };
-  for (int tries = 0; tries < 6; ++tries) {
-    std::size_t count = divide();
-    while (count <= target && clusters.refine(apart)) count = divide();
-    if (count <= target) break;
-    cell *= 1.03 * std::sqrt(static_cast<double>(count) / static_cast<double>(target));
+  std::vector<bool> small = in_small_parts(model_, triangles_, target);
+  std::vector<mesh::Triangle> large;
+  std::optional<Clusters> clusters;
+  for (std::size_t lost = place.size(); lost * least_lost > place.size();) {
+    large.clear();
+    std::ranges::copy_if(triangles_, std::back_inserter(large), [&](const auto& t) { return !small[t[0]]; });
+    clusters.emplace(model_, large);
+    clusters->make(target, apart, report);
+    std::vector<bool> marked = small;
+    lost = clusters->mark_lost(marked);
+    if (lost * least_lost > place.size()) small = std::move(marked);
   }
   std::vector<bool> used(place.size(), false);
-  for (const auto& t : triangles_) used[t[0]] = used[t[1]] = used[t[2]] = true;
+  for (const auto& t : large) used[t[0]] = used[t[1]] = used[t[2]] = true;
   std::vector<std::uint32_t> number(place.size(), none);
   of_vertex_.assign(place.size(), none);
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < place.size(); ++v) {
     if (!used[place[v]]) continue;
-    auto& n = number[clusters.find(place[v])];
+    auto& n = number[clusters->find(place[v])];
     if (n == none) n = count++;
     of_vertex_[v] = n;
   }
+  first_gathered_ = count;
   surface_.positions.resize(count);
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t v = 0; v < place.size(); ++v)
+    if (small[place[v]]) vertices.push_back(v);
+  if (vertices.empty()) return;
+  const Cells cells = cells_of(model_, vertices, target / gathered_share);
+  for (std::size_t i = 0; i < vertices.size(); ++i) of_vertex_[vertices[i]] = count + cells.of_vertex[i];
+  surface_.positions.resize(count + cells.count);
+  cell_ = cells.size;
+}
+
+std::size_t SurfaceProxy::gathered() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(of_vertex_, [&](std::uint32_t c) { return c != none && c >= first_gathered_; }));
 }
 
 void SurfaceProxy::place_clusters() {
@@ -265,6 +312,10 @@ void SurfaceProxy::place_clusters() {
     std::ranges::rotate(u, std::ranges::min_element(u));
     triangles.push_back(u);
   }
+  for (auto t : joints(p, first_gathered_, cell_)) {
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    triangles.push_back(t);
+  }
   sort_unique(triangles);
   surface_ = mesh::from_triangles(std::move(surface_.positions), triangles);
 }
@@ -275,7 +326,9 @@ void SurfaceProxy::find_neighbours() {
   std::vector<std::vector<std::uint32_t>> ring(p.size());
   for (const auto& t : surface_.triangles) {
     const Vec3 normal = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+    const bool gathers = *std::ranges::max_element(t) >= first_gathered_;
     for (std::size_t k = 0; k < 3; ++k) {
+      if (gathers && t[k] < first_gathered_) continue;  // the surface is interpolated as without small parts
       normals_[t[k]] = normals_[t[k]] + normal;
       ring[t[k]].push_back(t[(k + 1) % 3]), ring[t[k]].push_back(t[(k + 2) % 3]);
     }
@@ -284,7 +337,8 @@ void SurfaceProxy::find_neighbours() {
   for (std::size_t c = 0; c < p.size(); ++c) {
     sort_unique(ring[c]);
     for (const auto other : ring[c]) radii_[c] += norm(p[other] - p[c]);
-    if (!ring[c].empty()) radii_[c] *= fit_reach / static_cast<double>(ring[c].size());
+    if (!ring[c].empty())
+      radii_[c] *= (c < first_gathered_ ? fit_reach : reach_in_space) / static_cast<double>(ring[c].size());
     if (const double length = norm(normals_[c]); length > 0) normals_[c] = (1 / length) * normals_[c];
   }
   std::vector<double> extents(p.size(), 0);  // largest distance to a vertex of the cluster
@@ -356,7 +410,10 @@ std::array<double, 6> fitted_value(const Powers& sums) {
   double l[6][6], inverse[6];
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j <= i; ++j) l[i][j] = sums[place_of(x[i] + x[j], y[i] + y[j])];
-  for (std::size_t k = 1; k < 6; ++k) l[k][k] += (k < 3 ? ridge_linear : ridge_quadratic) * l[0][0];
+  const double weight = l[0][0];
+  for (std::size_t k = 1; k < 3; ++k) l[k][k] += ridge_linear * weight;
+  for (const std::size_t k : {3, 5}) l[k][k] += ridge_quadratic * weight;
+  l[4][4] += 0.5 * ridge_quadratic * weight;  // x * y: the result does not depend on the axes
   for (std::size_t k = 0; k < 6; ++k) {
     inverse[k] = 1 / l[k][k];
     for (std::size_t i = k + 1; i < 6; ++i) {
@@ -382,16 +439,20 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
   const mesh::Point& p = model_.positions[vertex];
   terms.clear();
   Vec3 normal{0, 0, 0};
+  double all = 0, radius = 0;
   for (const auto c : near) {
     const double part = squared_norm(surface_.positions[c] - p) / (radii_[c] * radii_[c]);
     if (!(part < 1)) continue;
     const double left = 1 - part;
     terms.push_back({c, left * left * left});
     normal = normal + terms.back().factor * normals_[c];
+    all += terms.back().factor, radius += terms.back().factor * radii_[c];
   }
   const auto take_own = [&] { terms.assign(1, {own, 1}); };
   if (terms.size() < 3) return take_own();
-  // u and v are axes of the tangent plane, divided by the radius of the vertex's cluster.
+  radius /= all;
+  if (own >= first_gathered_) return fit_in_space(p, radius, terms);
+  // u and v are axes of the tangent plane, divided by the mean radius of the clusters.
   const std::size_t least = static_cast<std::size_t>(
       std::ranges::min_element(normal, {}, [](double x) { return std::abs(x); }) - normal.begin());
   Vec3 axis{0, 0, 0};
@@ -399,7 +460,7 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
   Vec3 u = cross(normal, axis);
   const double length = norm(u);
   if (!(length > 0)) return take_own();
-  u = (1 / (length * radii_[own])) * u;
+  u = (1 / (length * radius)) * u;
   const Vec3 v = (1 / norm(normal)) * cross(normal, u);
   std::array<std::array<double, 2>, 64> places;  // u and v coordinates of the clusters
   Powers sums{};
@@ -415,6 +476,19 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
     const auto [x, y] = places[i];
     terms[i].factor *= fit[0] + x * (fit[1] + x * fit[3] + y * fit[4]) + y * (fit[2] + y * fit[5]);
   }
+}
+
+// Multiplies the factors by those of the value at p of a linear polynomial that is fitted to the clusters.
+void SurfaceProxy::fit_in_space(const mesh::Point& p, double radius, std::vector<Term>& terms) const {
+  const auto row = [&](const Term& term) {
+    const Vec3 d = (1 / radius) * (surface_.positions[term.cluster] - p);
+    return Eigen::Vector4d(1, d[0], d[1], d[2]);
+  };
+  Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
+  for (const Term& term : terms) sums += term.factor * row(term) * row(term).transpose();
+  sums.diagonal().tail<3>().array() += ridge_linear * sums(0, 0);
+  const Eigen::Vector4d fit = sums.ldlt().solve(Eigen::Vector4d::Unit(0));
+  for (Term& term : terms) term.factor *= fit.dot(row(term));
 }
 
 ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,

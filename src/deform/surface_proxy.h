@@ -28,8 +28,12 @@ namespace viete::deform {
 /// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex.
 /// Without a cage, all clusters are at the means, and vertices without triangles have no cluster.
 ///
+/// Many parts that are smaller than a few cells, such as leaves or hair cards, do not form such clusters. A
+/// cluster then gathers all their vertices in a cell, and triangles join it to the nearest clusters.
+///
 /// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
-/// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth.
+/// polynomial in the tangent plane of the vertex is fitted to nearby clusters. At vertices of gathered parts,
+/// it is a linear polynomial in space. The result is smooth.
 class SurfaceProxy {
 public:
   /// Makes at most about `target` clusters. `cage` may be null. The model must outlive the proxy. Throws
@@ -42,6 +46,8 @@ public:
   /// The members of each cluster.
   const mesh::Adjacency& members() const { return members_; }
   bool has_cluster(std::uint32_t vertex) const { return of_vertex_[vertex] != mesh::none; }
+  /// Number of vertices in clusters that gather small parts.
+  std::size_t gathered() const;
 
   struct Term {
     std::uint32_t cluster;
@@ -58,14 +64,17 @@ private:
   void find_neighbours();
   void move_to(std::span<const std::uint32_t> owned);
   void adopt_loose_vertices();
+  void fit_in_space(const mesh::Point& p, double radius, std::vector<Term>& terms) const;
 
   const mesh::Surface& model_;
   std::vector<mesh::Triangle> triangles_;  // the model's triangles, welded; empty after construction
   std::vector<std::uint32_t> of_vertex_;   // cluster of each vertex
   mesh::Adjacency members_;
   mesh::Surface surface_;
-  std::vector<Vec3> normals_;  // one per cluster, unit length or 0
-  std::vector<double> radii_;  // radius of influence per cluster
+  std::uint32_t first_gathered_ = 0;  // clusters from here on gather small parts
+  double cell_ = 0;                   // size of their cells
+  std::vector<Vec3> normals_;         // one per cluster, unit length or 0
+  std::vector<double> radii_;         // radius of influence per cluster
   std::vector<std::uint32_t> nearby_,
       starts_;  // for each cluster: itself, then all clusters within four rings
 };

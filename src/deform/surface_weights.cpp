@@ -157,12 +157,14 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
 // Couples parts that are near to each other. In bodies with many owners per area, weakens the springs.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::vector<double>& springs, base::WorkerPool& pool) {
-  const mesh::EdgePaths paths(joined);
-  const auto couplings = part_couplings(joined, paths, laplacian_.masses, pool);
+  const PartedSurface parted = parted_surface(joined, laplacian_.masses);
+  const mesh::EdgePaths paths(parted.surface);
+  const auto found_couplings = part_couplings(parted.surface, paths, parted.masses, pool);
+  const auto couplings = parted.joined(found_couplings);
   const bool plate = weighting.weights == Weights::biharmonic;
   laplacian_.stiffness = with_couplings(laplacian_.stiffness, plate ? couplings : by_corners(couplings));
   const double k = static_cast<double>(handles());
-  const Bodies found = bodies(joined, paths, couplings, laplacian_.masses, 1 / k);
+  const Bodies found = bodies(parted.surface, paths, found_couplings, parted.masses, 1 / k);
   if (found.shares.size() == 1) return;
   own_in_bodies(owned_, joined, found, cage, weighting.elements, pool);
   std::vector<double> owners(found.shares.size(), 0);

@@ -149,6 +149,48 @@ TEST_CASE("parts_without_a_pin_stay_where_their_blend_is") {
   CHECK(p.error(posed, bend) < 1e-4);
 }
 
+TEST_CASE("near_parts_without_a_pin_follow_the_part_with_pins") {
+  const mesh::Surface outer = tube(30, 12, 0.3, 4);
+  const mesh::Surface inner = mapped(tube(28, 10, 0.28, 3.6), similarity({0, 0, 1}, 0.2));
+  const mesh::Surface model = together(outer, inner);
+  const std::vector<std::uint32_t> pins = {0, 4, 14 * 12, 14 * 12 + 4, 29 * 12, 29 * 12 + 4};
+  const auto map = similarity({1, 2, 3}, 160 * degree, 1, {5, -3, 2});
+  const Points turned = mapped(model.positions, map);
+  for (const double freedom : {0.3, 1.0}) {
+    Posing p(model, {}, pins);
+    CHECK(p.error(p.solved(turned, {.freedom = freedom}, 500), turned) < 1e-5);
+  }
+  const Points bend = bent(model, 60);
+  Posing p(model, {}, pins);
+  const Points posed = p.solved(bend, {.freedom = 1}, 500);
+  for (std::size_t v = outer.positions.size(); v < model.positions.size(); ++v) {
+    const auto apart = [&](const Points& points) {
+      double least = 1e9;
+      for (std::size_t w = 0; w < outer.positions.size(); ++w)
+        least = std::min(least, norm(points[v] - points[w]));
+      return least;
+    };
+    REQUIRE(std::abs(apart(posed) - apart(model.positions)) < 0.1);
+  }
+  Posing by_example(model, {bend}, pins);
+  CHECK(by_example.error(by_example.solved(bend, {.restraint = 1e-12, .freedom = 0}), bend) < 1e-4);
+}
+
+TEST_CASE("pins_move_a_triangle_soup_as_one") {
+  Random random(3);
+  const auto moved = [&](const std::size_t triangles, double gap) {
+    const mesh::Surface whole = loose_triangles(tube(std::uint32_t(triangles / 24), 12, 0.3, 4));
+    const mesh::Surface model = mapped(whole, [&](const Vec3& x) { return x + random.vector(gap); });
+    const auto count = std::uint32_t(model.positions.size());
+    Posing p(model, {}, {0, count / 3, count / 2, count - 1});
+    const Points turned = mapped(model.positions, similarity({1, 2, 3}, 70 * degree, 1, {5, -3, 2}));
+    return p.error(p.solved(turned, {}), turned);
+  };
+  CHECK(moved(600, 1e-7) < 1e-4);
+  CHECK(moved(600, 0.01) < 1e-4);
+  CHECK(moved(27'100, 0.01) < 1e-4);  // too many vertices to solve for all
+}
+
 TEST_CASE("pins_of_a_large_model_reach_their_targets_near_a_blend_of_examples") {
   const mesh::Surface model = tube(450, 200, 0.3, 4);
   const Points bend = bent(model, 120);

@@ -58,7 +58,8 @@ double most_apart_from_nearest(const Binding& b, const mesh::Surface& inner, con
 std::vector<Coupling> couplings_of(const mesh::Surface& surface, int threads = 2) {
   base::WorkerPool pool(threads);
   const mesh::Surface joined = mesh::welded(surface);
-  return part_couplings(joined, mesh::EdgePaths(joined), intrinsic_laplacian(joined).masses, pool);
+  const PartedSurface parted = parted_surface(joined, intrinsic_laplacian(joined).masses);
+  return parted.joined(part_couplings(parted.surface, mesh::EdgePaths(parted.surface), parted.masses, pool));
 }
 
 double distance_at(const Coupling& coupling, const std::vector<mesh::Point>& p) {
@@ -158,6 +159,18 @@ TEST_CASE("eyes_stay_in_their_sockets_about_as_well_as_with_mean_value_coordinat
       CHECK(apart(smooth, bent) < 1.5 * apart(mean_value, bent));
     }
   }
+}
+
+TEST_CASE("parts_that_share_a_single_vertex_are_coupled_like_parts_apart") {
+  const auto outer = tube(30, 24, 0.5, 3);
+  const auto inner = mapped(tube(26, 20, 0.48, 2.9), [&](const Vec3& x) {
+    return norm(x - Vec3{0.48, 0, 1.45}) < 1e-9 ? outer.positions[29 * 24] : x;
+  });
+  const auto model = together(inner, outer);
+  CHECK(mesh::welded(model).triangles != model.triangles);
+  CHECK(couplings_of(model).size() > 500);
+  const Cage cage = make_cage(tube(5, 6, 0.7, 3.4));
+  CHECK(most_apart_from_nearest(bound(model, cage, plates), inner, outer) < 0.02);
 }
 
 TEST_CASE("a_coarse_part_is_coupled_to_the_nearest_points_and_not_to_the_nearest_vertices") {

@@ -280,6 +280,33 @@ TEST_CASE("many_small_parts_rotate_like_a_single_one") {
   for (std::size_t v = 0; v < half.size(); ++v) REQUIRE(norm(half[v] - expected[v % 3]) < 1e-9);
 }
 
+TEST_CASE("the_density_of_vertices_does_not_move_a_part") {
+  // Returns half of the way to a plate that is bent at x = 0, at x = -4, -3, ... 4, on a plate with `dense`
+  // columns per unit at the right.
+  const auto half_bent = [](std::uint32_t dense) {
+    mesh::Surface plate;
+    std::vector<mesh::Triangle> triangles;
+    std::vector<std::uint32_t> whole;
+    for (std::uint32_t i = 0; i <= 32 + 4 * dense; ++i) {
+      const double x = i <= 32 ? i / 8.0 - 4 : (i - 32.0) / dense;
+      if (x == std::round(x)) whole.push_back(2 * i);
+      plate.positions.push_back({x, 0, 0}), plate.positions.push_back({x, 1, 0});
+      if (i > 0)
+        for (const mesh::Triangle& t : {mesh::Triangle{0, 2, 1}, mesh::Triangle{1, 2, 3}})
+          triangles.push_back({2 * i - 2 + t[0], 2 * i - 2 + t[1], 2 * i - 2 + t[2]});
+    }
+    Shapes s(mesh::from_triangles(plate.positions, triangles));
+    Points shape = s.rest.positions;
+    for (auto& p : shape)
+      p = {p[0] * std::cos(30 * degree), p[1], std::abs(p[0]) * std::sin(30 * degree) + 2};
+    const Points half = s.share(shape, 0.5);
+    Points some;
+    for (const auto v : whole) some.push_back(half[v]);
+    return some;
+  };
+  CHECK(largest_distance(half_bent(8), half_bent(64)) < 0.005);
+}
+
 TEST_CASE("shapes_of_other_models_are_refused") {
   Shapes s(box());
   CHECK_THROWS_WITH_AS(s.space.vector(Points(7), s.pool), doctest::Contains("7 vertices"), base::Error);

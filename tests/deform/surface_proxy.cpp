@@ -12,6 +12,7 @@
 #include "deform/shapes.h"
 #include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
+#include "support/random.h"
 #include "support/shapes.h"
 #include "support/skip.h"
 
@@ -89,6 +90,48 @@ TEST_CASE("weights_by_a_proxy_are_near_those_of_the_whole_model") {
       worst = std::max(worst, std::abs(row[j] - whole.weights[v * whole.handles + j]));
   }
   CHECK(worst < 0.02);
+}
+
+TEST_CASE("many_small_parts_share_clusters_that_move_them_as_one") {
+  base::WorkerPool pool;
+  test::Random random(5);
+  const auto flakes = [&](std::size_t count, const mesh::Surface& flake) {
+    mesh::Surface all;
+    std::vector<mesh::Triangle> triangles;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto first = std::uint32_t(all.positions.size());
+      const deform::Vec3 center = random.vector(1);
+      for (const auto& p : flake.positions) all.positions.push_back(center + 0.01 * (p + random.vector(0.1)));
+      for (const auto& [a, b, c] : flake.triangles) triangles.push_back({first + a, first + b, first + c});
+    }
+    return mesh::from_triangles(std::move(all.positions), triangles);
+  };
+  const mesh::Surface leaf = mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  mesh::Surface card;  // longer than a cluster, and narrower
+  std::vector<mesh::Triangle> strip;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    card.positions.push_back({4.0 * i, 0, 0}), card.positions.push_back({4.0 * i, 0.3, 0});
+    if (i > 0) strip.push_back({2 * i - 2, 2 * i - 1, 2 * i}), strip.push_back({2 * i, 2 * i - 1, 2 * i + 1});
+  }
+  card = mesh::from_triangles(card.positions, strip);
+  const deform::Cage cage = deform::make_cage(test::box({1.5, 1.5, 1.5}));
+  for (const mesh::Surface& model : {flakes(8000, leaf), flakes(4000, test::box()), flakes(400, card)}) {
+    const deform::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 3000);
+    const deform::SurfaceProxy& proxy = weights.proxy();
+    CHECK(proxy.surface().positions.size() < 4100);
+    CHECK(proxy.gathered() > model.positions.size() / 2);
+    std::vector<deform::SurfaceProxy::Term> terms;
+    std::vector<double> row(cage.centers.size()), next(row.size());
+    for (std::uint32_t v = 0; v + 1 < model.positions.size(); v += 5) {
+      proxy.terms(v, terms);
+      mesh::Point place{0, 0, 0};
+      for (const auto& [cluster, factor] : terms) place = place + factor * proxy.surface().positions[cluster];
+      REQUIRE(norm(place - model.positions[v]) < 0.2);
+      weights.row(v, row), weights.row(v + 1, next);
+      const double apart = norm(model.positions[v + 1] - model.positions[v]);
+      for (std::size_t h = 0; h < row.size(); ++h) REQUIRE(std::abs(row[h] - next[h]) < 0.02 + apart);
+    }
+  }
 }
 
 TEST_CASE("layers_closer_than_a_cell_stay_apart_in_a_proxy") {
