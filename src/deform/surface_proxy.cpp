@@ -144,6 +144,8 @@ public:
   /// Makes clusters with the properties in SurfaceProxy: at most `target`, if that is possible.
   template <class Report>
   void make(std::size_t target, std::span<const std::uint32_t> apart, const Report& report) {
+    sets_.reset(level_.size());
+    if (!(area_ > 0)) return;
     double cell = std::sqrt(1.3 * area_ / static_cast<double>(target));
     const auto divided = [&] {
       report();

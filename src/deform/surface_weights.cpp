@@ -23,7 +23,7 @@ constexpr double spring_per_handle = 1;
 // If a body's area is below this multiple of the mean area per handle, handles own no vertex in the body.
 constexpr double least_body = 0.1;
 // A handle is near a vertex up to this multiple of the distance from the vertex to its nearest handle.
-constexpr double as_near = 1.5;
+constexpr double as_near = 4;
 
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   std::vector<bool> is_used(surface.positions.size(), false);

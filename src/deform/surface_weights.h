@@ -40,7 +40,7 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                              base::WorkerPool& pool);
 
 /// Lets each handle own one vertex in each body near it, so that a layer and its contents follow the cage
-/// alike. v is the body's vertex nearest to the handle. The body is near if the handle is at most 1.5 times
+/// alike. v is the body's vertex nearest to the handle. The body is near if the handle is at most 4 times
 /// as far from v as the handle that is nearest to v. Skips bodies with less than a tenth of the mean area per
 /// handle.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
