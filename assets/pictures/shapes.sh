@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the row of pictures in the README: the dragon at rest, coiled, and halfway in between, in straight lines
+# Makes the row of pictures in the README: the dragon at rest, coiled, and halfway in between, linear
 # and in log space. shapes.sh [VIETE]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -18,6 +18,6 @@ picture() {  # NAME DISTANCE OPTION...: the smaller a model, the farther its cam
 }
 
 picture rest 2.4 --at 0
-picture straight 3.3 --at 0.5 --straight
+picture linear 3.3 --at 0.5 --linear
 picture log 2.5 --at 0.5
 picture coiled 2.8 --at 1

@@ -32,7 +32,7 @@ struct AnimateOptions {
   std::optional<double> rate;
   int step = 1;
   double tolerance = 1e-4;
-  bool no_normals = false, straight = false, turntable = false;
+  bool no_normals = false, linear = false, turntable = false;
   std::filesystem::path keys;
   PictureOptions picture;
 };
@@ -78,7 +78,7 @@ files::Opened opened_for(const AnimateOptions& options, void (*check)(const file
   document::Document& document = *opened.document;
   document::Timeline& timeline = document.timeline;
   timeline.rate = options.rate.value_or(timeline.rate);
-  timeline.straight |= options.straight;
+  timeline.linear |= options.linear;
   if (!options.keys.empty()) {
     if (!document.has_cage())
       throw base::Error(options.inputs.model.string(), "the session has no cage, but keys need a cage",
@@ -162,18 +162,18 @@ void add_animate_command(CLI::App& app, Action& action) {
   add_output_options(
       *command, o->output,
       "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)");
-  add_file_option(*command, "--keys", o->keys, "File of keys: numbered cages, point cache or animated glTF");
+  add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
   auto* step = command->add_option("--step", o->step, "Export every Nth frame");
   whole_in_range(step, 1, 1'000'000)->default_str("1");
-  auto* rate = command->add_option("--rate", o->rate, "Frames per second");
+  auto* rate = command->add_option("--rate", o->rate, "Frame rate");
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)
       ->default_str("as in the session");
   auto* tolerance =
       command->add_option("--tolerance", o->tolerance, "Morph targets: largest error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals, "glTF: omit normals, which halves the file size");
-  command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");
+  command->add_flag("--linear", o->linear, "Interpolate vertex positions linearly");
   command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
   add_picture_options(*command, o->picture);
   add_examples(*command,

@@ -30,7 +30,7 @@ struct BetweenOptions {
   std::optional<double> at;
   int frames = 25;
   double rate = 24;
-  bool straight = false, linear = false, loop = false;
+  bool linear = false, constant_speed = false, loop = false;
 };
 
 // If the first argument is a pattern such as pose_##.obj, replaces the pattern by the matching files.
@@ -75,9 +75,10 @@ document::Timeline timeline_of(const BetweenOptions& options, const ShapeList& l
   const std::size_t steps = list.shapes.size() - 1;
   document::Timeline timeline;
   timeline.first = first, timeline.last = last;
-  timeline.straight = options.straight;
+  timeline.linear = options.linear;
   timeline.repeat = options.loop ? document::Repeat::loop : document::Repeat::once;
-  const auto easing = options.linear || steps == 1 ? document::Easing::linear : document::Easing::smooth;
+  const auto easing =
+      options.constant_speed || steps == 1 ? document::Easing::constant_speed : document::Easing::smooth;
   for (std::size_t i = 0; i <= steps; ++i) {
     document::WholePose pose;
     pose.shape = list.shapes[i];
@@ -155,8 +156,9 @@ void add_between_command(CLI::App& app, Action& action) {
   in_range(at, 0, most_frames)->excludes(frames);
   add_file_option(*command, "--rest", o->rest, "File of the rest shape")->default_str("the first shape");
   command->add_flag("--loop", o->loop, "Also interpolate from the last shape to the first");
-  command->add_flag("--linear", o->linear, "Interpolate at constant speed instead of smoothly");
-  command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
+  command->add_flag("--constant-speed", o->constant_speed,
+                    "Interpolate at constant speed instead of smoothly");
+  command->add_flag("--linear", o->linear, "Interpolate vertex positions linearly");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)->default_str("24");
   add_examples(*command, {"between rest.obj smile.obj --frames 25 -o motion.pc2",

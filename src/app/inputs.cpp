@@ -34,8 +34,8 @@ void add_scheme_options(CLI::App& app, document::RequestedSettings& settings) {
   way->default_str("smooth");
   add_choice_options(app, settings.choice);
   for (const char* other : {"--weights", "--blend"}) way->excludes(app.get_option(other));
-  for (const char* name : {"radius", "turn", "stretch"}) add_number_option(app, name, settings);
-  add_stitching_options(app, settings);
+  for (const char* name : {"radius", "rotation", "stretch"}) add_number_option(app, name, settings);
+  add_arap_options(app, settings);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct MixOptions {
   std::filesystem::path rest;
   Output output;
   std::vector<Share> shares;
-  bool straight = false;
+  bool linear = false;
 };
 
 // Parses text such as "smile.obj=0.5".
@@ -86,7 +86,7 @@ std::vector<std::string> write_mix(MixOptions options) {
   TerminalProgress work(options.output.task());
   base::WorkerPool pool;
   const deform::ShapeSpace space(*what.model, pool, &work.progress());
-  what.shape = document::mixed(space, terms, options.straight, pool, &notes);
+  what.shape = document::mixed(space, terms, options.linear, pool, &notes);
   for (auto& note : write_shape(what, "the mix", &work.progress())) notes.push_back(std::move(note));
   return notes;
 }
@@ -115,7 +115,7 @@ void add_mix_command(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->option_text("FILE=WEIGHT ...")
       ->required();
-  command->add_flag("--straight", o->straight, "Combine vertex positions instead of logarithms");
+  command->add_flag("--linear", o->linear, "Combine vertex positions linearly");
   add_output_options(*command, o->output);
   add_examples(*command, {"mix rest.obj --shape smile.obj=0.5 -o mixed.obj",
                           "mix rest.obj --shape face.glb:smile=1 --shape sad.obj=-0.2 -o mix.ply"});

@@ -61,7 +61,7 @@ document::ViewOptions view_of(const PictureOptions& options, const std::optional
   return view;
 }
 
-// Shows one view per word. A word is a deformer, a method, or an interpolation ("log" or "straight"). All
+// Shows one view per word. A word is a deformer, a method, or an interpolation ("log" or "linear"). All
 // other settings come from the document.
 void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
@@ -69,14 +69,14 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     document::SideWay view{w.document.scheme, w.document.method, w.view.options.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
-    if (word == "log" || word == "straight")
-      view.other_blending = (word == "straight") != w.document.timeline.straight;
+    if (word == "log" || word == "linear")
+      view.other_blending = (word == "linear") != w.document.timeline.linear;
     const auto way = std::ranges::find(deform::all_ways(), word, &deform::WayEntry::name);
     if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme);
     views.push_back(std::move(view));
   }
   if (views[0].other_blending) {
-    document::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
+    document::set_linear(w.document, w.playback.vectors, !w.document.timeline.linear);
     for (document::SideWay& view : views) view.other_blending = !view.other_blending;
   }
   w.document.put_scheme(views[0].scheme);
@@ -165,10 +165,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   std::vector<std::string> compared;
   for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
-  compared.insert(compared.end(), {"log", "straight"});
+  compared.insert(compared.end(), {"log", "linear"});
   auto* compare = command.add_option("--compare", options.compare,
-                                     "Show 2 to 4 deformers or methods side by side. log,straight compares "
-                                     "interpolation in log space and of vertex positions");
+                                     "Show 2 to 4 deformers or methods side by side, or interpolation: "
+                                     "log,linear");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }

@@ -72,7 +72,7 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force, "Replace existing files, even inputs and files of another type");
+  app.add_flag("--force", force, "Replace any existing file, even an input");
 }
 
 files::Force force_of(bool given) {
@@ -91,7 +91,8 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
 
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
   add_choice(app, "--weights", "Weights, see 'viete help deformers'", deform::all_weights(), choice.weights);
-  add_choice(app, "--blend", "Blend of maps, see 'viete help deformers'", deform::all_blends(), choice.blend);
+  add_choice(app, "--blend", "Blend of transformations, see 'viete help deformers'", deform::all_blends(),
+             choice.blend);
 }
 
 std::string deformers_help() {
@@ -111,8 +112,7 @@ std::string deformers_help() {
   text += "\nMaps (--map):\n";
   for (const base::Choice& map : choices(analysis::Field::none))
     text += help_line(std::string(map.word), std::string(map.hint));
-  text.pop_back();
-  return text;
+  return text + "\nThe manual explains all terms: viete manual glossary";
 }
 
 void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked) {
@@ -125,15 +125,12 @@ void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme
       ->default_str(number_text(number.percent({})));
 }
 
-void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
-  auto& iterations = asked.iterations;
-  auto* stitched = app.add_flag_function(
-      "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "ARAP: solve for a mesh that is as rigid as possible");
+void add_arap_options(CLI::App& app, deform::AskedScheme& asked) {
+  app.add_flag("--arap", asked.arap, "Solve for a mesh that is as rigid as possible (ARAP)");
   auto* number = app.add_option_function<int>(
-      "--iterations", [&iterations](int n) { iterations = n; }, "ARAP: number of solves per frame");
-  whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
-  add_number_option(app, "pins", asked);
+      "--iterations", [&asked](int n) { asked.iterations = n; }, "ARAP: number of solves per frame");
+  whole_in_range(number, 1, deform::most_iterations)->default_str("1");
+  add_number_option(app, "attach", asked);
   add_number_option(app, "hold", asked);
 }
 
@@ -150,7 +147,7 @@ void add_digits_option(CLI::App& app, formats::Digits& digits) {
       throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
     }
   };
-  app.add_option_function<std::string>("--digits", take, "Decimal places in text files: 0 to 17, or all")
+  app.add_option_function<std::string>("--digits", take, "Decimals in text files")
       ->option_text("NUMBER|all")
       ->default_str("as in the input");
 }

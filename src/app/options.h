@@ -50,8 +50,8 @@ files::Force force_of(bool given);
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
 /// Adds the option of a deformer setting, for example --radius PERCENT.
 void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked);
-/// Adds --stitched, --iterations NUMBER, --pins PERCENT and --hold PERCENT.
-void add_stitching_options(CLI::App& app, deform::AskedScheme& asked);
+/// Adds --arap, --iterations NUMBER, --attach PERCENT and --hold PERCENT.
+void add_arap_options(CLI::App& app, deform::AskedScheme& asked);
 
 /// Adds --weights WORD and --blend WORD.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice);

@@ -18,7 +18,8 @@ constexpr const char* footer =
     "Exit codes:\n"
     "  0  success\n"
     "  1  a file could not be read or written, or the work failed (see stderr)\n"
-    "  2  wrong command line";
+    "  2  wrong command line\n\n"
+    "The manual explains all terms: viete manual glossary";
 
 void note_kernel() {
   const char* kernel = std::getenv("VIETE_KERNEL");

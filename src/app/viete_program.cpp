@@ -1,9 +1,12 @@
 #include "app/command_line.h"
 
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -32,9 +35,26 @@ void check_first_word(const std::string& word, const CLI::App& app) {
       exit_usage);
 }
 
+// The first build skips viete-bench. Builds it if `folder` is a build folder; shows the output on stderr.
+void build_bench(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "CMakeCache.txt")) return;
+  std::fputs("viete: building the benchmarks before their first use\n", stderr);
+  std::string place = folder;
+  char words[][16] = {"cmake", "--build", "--target", "viete-bench"};
+  char* const arguments[] = {words[0], words[1], place.data(), words[2], words[3], nullptr};
+  posix_spawn_file_actions_t to_stderr;
+  ::posix_spawn_file_actions_init(&to_stderr);
+  ::posix_spawn_file_actions_adddup2(&to_stderr, STDERR_FILENO, STDOUT_FILENO);
+  pid_t child = 0;
+  if (::posix_spawnp(&child, words[0], &to_stderr, nullptr, arguments, environ) == 0)
+    ::waitpid(child, nullptr, 0);
+  ::posix_spawn_file_actions_destroy(&to_stderr);
+}
+
 // Replaces this process by the program viete-bench in the folder of viete.
 [[noreturn]] void exec_bench(const std::vector<std::string>& arguments) {
   const std::string program = program_folder() / "viete-bench";
+  if (!std::filesystem::exists(program)) build_bench(program_folder());
   std::vector<char*> words = {const_cast<char*>(program.c_str())};
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);

@@ -23,7 +23,7 @@ public:
         vector_(space.vector(shape, pool_)),
         held_(space_.logs().held_between(space_.logs().at_rest(), vector_)) {}
 
-  Points straight(double share) const {
+  Points linear(double share) const {
     Points line;
     for (std::size_t v = 0; v < shape_.size(); ++v)
       line.push_back((1 - share) * space_.rest()[v] + share * shape_[v]);
@@ -89,16 +89,16 @@ Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
       return nlohmann::json{{"edges", edge_error(edges, from, to, half)}, {"volume", volume(half)}};
     };
     Between between(space, to);
-    const Points in_log_space = between.in_log_space(0.5), straight = between.straight(0.5);
-    nlohmann::json log = measured(in_log_space), line = measured(straight);
+    const Points in_log_space = between.in_log_space(0.5), linear = between.linear(0.5);
+    nlohmann::json log = measured(in_log_space), line = measured(linear);
     for (std::size_t m = 0; m < moments; ++m) {
       const double share = static_cast<double>(m) / static_cast<double>(moments - 1);
       log["volumes"].push_back(volume(between.in_log_space(share)));
-      line["volumes"].push_back(volume(between.straight(share)));
+      line["volumes"].push_back(volume(between.linear(share)));
       progress.report((static_cast<double>(i) + share) / static_cast<double>(model.shapes.size()));
     }
-    halfway.rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
-    const auto volume_of = [&](std::size_t row) { return double(halfway.rows[row]["straight"]["volume"]); };
+    halfway.rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"linear", line}});
+    const auto volume_of = [&](std::size_t row) { return double(halfway.rows[row]["linear"]["volume"]); };
     if (volume_of(i) < volume_of(halfway.most_lost)) halfway.most_lost = i;
   }
   return halfway;

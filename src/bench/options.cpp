@@ -127,13 +127,13 @@ void add_modes_bench(CLI::App& command, Action& action) {
   add_method_option(command, [settings](sym3::Method method) { settings->method = method; });
   add_choice_options(command, settings->choice);
   add_number_option(command, "radius", *asked);
-  add_stitching_options(command, *asked);
+  add_arap_options(command, *asked);
   command.callback([=, &action] {
     settings->radius = asked->radius;
-    settings->iterations = asked->iterations.value_or(0);
-    if ((asked->pins || asked->hold) && !asked->iterations)
-      throw CLI::ValidationError(asked->pins ? "--pins" : "--hold", "needs --stitched");
-    settings->holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
+    if ((asked->iterations || asked->attach || asked->hold) && !asked->arap)
+      throw CLI::RequiredError("--arap");
+    settings->iterations = asked->arap ? asked->iterations.value_or(1) : 0;
+    settings->holding = {asked->attach.value_or(0), asked->hold.value_or(0)};
     const ModelOptions& options = *bench;
     if (!options.model.empty() && options.poses.empty())
       throw CLI::RequiredError(options.cage.empty() ? "CAGE" : "POSE");
@@ -194,8 +194,8 @@ void add_bench_command(CLI::App& app, Action& action) {
                   action, {50, 100, 300, 600}, 11, bench_frame);
   add_sized_bench(*command->add_subcommand("bind", "Measure the time and memory of binding a model"), action,
                   {300}, 5, bench_bind);
-  add_modes_bench(
-      *command->add_subcommand("modes", "Measure exactness, distortion and cost of every deformer"), action);
+  add_modes_bench(*command->add_subcommand("modes", "Measure exactness, energy and cost of every deformer"),
+                  action);
   add_examples(*command, {"bench exp --json exp.json", "bench frame --json frame.json"});
 }
 

@@ -251,11 +251,11 @@ std::string frames_seen(const Figures& figures) {
   const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
   const FrameTime* dragged = frame_of(figures.frames, frame_names::dragged, usual_faces);
   if (!ours) ours = frame_of(figures.frames, frame_names::dense, usual_faces);
-  if (!plain || !ours || !dragged) return "There is not enough memory for the published method.";
+  if (!plain || !ours || !dragged) return "There is not enough memory for the published deformer.";
   return "In a cage of " + std::to_string(usual_faces) + " triangles, a frame of " +
          base::with_thousands(ours->vertices) + " vertices takes " + base::milliseconds(ours->cpu_ms) + ", " +
          few_digits(plain->cpu_ms / ours->cpu_ms) +
-         " times less than with the published method. While one vertex is dragged, it takes " +
+         " times less than with the published deformer. While one vertex is dragged, it takes " +
          base::milliseconds(dragged->cpu_ms) + ".";
 }
 
@@ -406,11 +406,11 @@ Section deformers_section(const Figures& figures) {
   if (modes.empty()) return section;
   section.seen = deformers_seen(modes, figures.poses.size());
   section.why =
-      "A deformer is a choice of maps, weights and blend. Low distortion is not the only criterion: Mean "
+      "A deformer is a choice of weights and blend. Low energy is not the only criterion: Mean "
       "value reproduces affine poses exactly, Local keeps distant parts at rest, and As published needs "
       "neither a surface nor a solver.";
   section.body =
-      plots(deformers_plot("distortion, relative to mean value coordinates", modes, energy, "") +
+      plots(deformers_plot("energy, relative to mean value coordinates", modes, energy, "") +
             deformers_plot("ms per frame, one thread", modes, frame, " ms")) +
       html(deformers_table(modes)) + problems +
       paragraph(
@@ -426,7 +426,7 @@ Section deformers_section(const Figures& figures) {
 }
 
 constexpr std::tuple<const char*, const char*, const char*> interpolations[] = {
-    {"linear", "straight", plot_color::rival}, {"log space", "log_space", plot_color::ours[0]}};
+    {"linear", "linear", plot_color::rival}, {"log space", "log_space", plot_color::ours[0]}};
 
 Plot volumes_of(const nlohmann::json& row) {
   Plot plot;
@@ -455,7 +455,7 @@ Section shapes_section(const Figures& figures) {
       edges.bars.push_back({name + ", " + how, 100 * double(row[key]["edges"]), color});
     table.rows.push_back({name});
     for (const char* what : {"volume", "edges"})
-      for (const char* key : {"log_space", "straight"})
+      for (const char* key : {"log_space", "linear"})
         table.rows.back().push_back(percent(100 * double(row[key][what])));
   }
   section.body =
@@ -465,11 +465,11 @@ Section shapes_section(const Figures& figures) {
           "logarithms of lengths from the mean of both shapes. Shapes of the bundled dragon.",
           "note");
   const auto& most = figures.shapes.rows[figures.shapes.most_lost];
-  const auto &straight = most["straight"], &logs = most["log_space"];
-  section.seen = "Halfway to " + name_of_shape(most) + ", linear interpolation loses " +
-                 lost_volume(straight) + " of the volume, and edge lengths deviate by " +
-                 percent(100 * double(straight["edges"])) + ". Log space loses " + lost_volume(logs) +
-                 ", and edge lengths deviate by " + percent(100 * double(logs["edges"])) + ".";
+  const auto &linear = most["linear"], &logs = most["log_space"];
+  section.seen = "Halfway to " + name_of_shape(most) + ", linear interpolation loses " + lost_volume(linear) +
+                 " of the volume, and edge lengths deviate by " + percent(100 * double(linear["edges"])) +
+                 ". Log space loses " + lost_volume(logs) + ", and edge lengths deviate by " +
+                 percent(100 * double(logs["edges"])) + ".";
   section.why =
       "Linear interpolation moves each point along a straight line. If a part rotates by 180\u00b0, its "
       "points meet at the axis and the part collapses. Logarithms interpolate the rotation itself, so each "
@@ -497,8 +497,8 @@ std::string summary_of(const Figures& figures) {
     tiles += tile(base::milliseconds(ours->cpu_ms),
                   "a frame of " + base::with_thousands(ours->vertices) + " vertices in a cage of " +
                       std::to_string(usual_faces) +
-                      " triangles; published method: " + base::milliseconds(plain->cpu_ms));
-  tiles += tile(lost_volume(most["straight"]),
+                      " triangles; published deformer: " + base::milliseconds(plain->cpu_ms));
+  tiles += tile(lost_volume(most["linear"]),
                 "of the volume is lost halfway to " + name_of_shape(most) +
                     " by linear interpolation; in log space: " + lost_volume(most["log_space"]));
   return "<dl class=\"tiles\">\n" + tiles + "</dl>\n";

@@ -58,8 +58,9 @@ void write_moment_row(const AffineMap& map, const Vec3& rest_center, double leng
 MapLog scaled(const MapLog& log, const Amounts& amounts) {
   const auto& x = log.stretch;
   const double s = amounts.stretch;
-  return {
-      {s * x.xx, s * x.xy, s * x.xz, s * x.yy, s * x.yz, s * x.zz}, amounts.turn * log.rotation, log.center};
+  return {{s * x.xx, s * x.xy, s * x.xz, s * x.yy, s * x.yz, s * x.zz},
+          amounts.rotation * log.rotation,
+          log.center};
 }
 
 AffineMap map_of(const MapLog& log) {

@@ -415,7 +415,7 @@ void LogSpace::complete(std::span<const mesh::Point> positions, base::WorkerPool
   center(parts_, vector.leftovers);  // anchors determine the translations
 }
 
-void LogSpace::straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
+void LogSpace::linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
   for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = rest_[v] + summed(terms, &LogVector::ways, v);
 }
 
@@ -458,7 +458,7 @@ Held LogSpace::held_along(const LogVector& from, std::span<const Vec3> ways,
                           std::span<const double> squares) const {
   std::vector<mesh::Point> start(rest_.size());
   const LogTerm whole{&from, 1};
-  straight({&whole, 1}, start);
+  linear({&whole, 1}, start);
   return held(parts_, start, ways, squares);
 }
 

@@ -130,7 +130,7 @@ public:
   std::uint32_t place(std::uint32_t vertex) const { return places_[vertex]; }
 
   /// Computes the linear sum, in which every vertex moves on a straight line.
-  void straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const;
+  void linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const;
 
 private:
   class Block;

@@ -78,9 +78,9 @@ Pose PoseSpace::pose(std::span<const LogTerm> terms, const Held& held) const {
   return pose;
 }
 
-Pose PoseSpace::straight(std::span<const LogTerm> terms) const {
+Pose PoseSpace::linear(std::span<const LogTerm> terms) const {
   Pose pose{std::vector<mesh::Point>(logs_.rest().size()), turns(terms)};
-  logs_.straight(terms, pose.positions);
+  logs_.linear(terms, pose.positions);
   return pose;
 }
 

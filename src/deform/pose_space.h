@@ -28,7 +28,7 @@ public:
   /// Returns the pose of the sum of `terms`.
   Pose pose(std::span<const LogTerm> terms, const Held& held) const;
   /// Returns the linear sum of the poses' positions: every vertex moves on a straight line.
-  Pose straight(std::span<const LogTerm> terms) const;
+  Pose linear(std::span<const LogTerm> terms) const;
 
 private:
   std::vector<Vec3> take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,

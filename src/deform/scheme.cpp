@@ -17,10 +17,11 @@ constexpr std::array weights_table = {
                  Weights::inverse},
     WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 at the distance d up to the radius, then 0"},
                  Weights::cut_off},
-    WeightsEntry{{"harmonic", "Harmonic",
-                  "harmonic functions on the model's surface, 1 at the vertex nearest to the cage element"},
-                 Weights::harmonic,
-                 true},
+    WeightsEntry{
+        {"harmonic", "Harmonic",
+         "harmonic functions on the model's surface, largest at the vertices nearest to the cage element"},
+        Weights::harmonic,
+        true},
     WeightsEntry{
         {"biharmonic", "Biharmonic",
          "biharmonic functions on the model's surface, smoother than harmonic; negative values become 0"},
@@ -34,7 +35,7 @@ constexpr std::array blend_table = {
     BlendEntry{{"srl", "Log space",
                 "sums the logarithms of rotations and of stretches; both act around the blended centre"},
                Blend::srl},
-    BlendEntry{{"mls-affine", "Least squares (MLS)", "fits an affine map by least squares"},
+    BlendEntry{{"mls-affine", "Least squares (MLS)", "fits an affine transformation by least squares"},
                Blend::mls_affine,
                true},
     BlendEntry{{"mls-similarity", "Least squares, similarity",
@@ -43,7 +44,7 @@ constexpr std::array blend_table = {
                true},
     BlendEntry{
         {"mls-rigid", "Least squares, rigid", "fits a rotation by least squares"}, Blend::mls_rigid, true},
-    BlendEntry{{"linear", "Linear (LBS)", "weighted mean of the maps"}, Blend::linear},
+    BlendEntry{{"linear", "Linear (LBS)", "weighted mean of the transformations"}, Blend::linear},
 };
 
 template <class Table, class Value>
@@ -77,7 +78,7 @@ std::optional<std::string_view> conflict(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
     return "mean value weights need the linear blend";
   if (scheme.stitched() && !scheme.has_maps())
-    return "these weights or this blend use the cage's vertices, but stitching needs its triangles";
+    return "these weights or this blend use the cage's vertices, but ARAP needs its triangles";
   return std::nullopt;
 }
 
@@ -99,20 +100,18 @@ std::vector<Scheme> valid_schemes() {
 
 std::string text(const Scheme& s) {
   return std::string(entry(s.weighting.weights).name) + ", " + std::string(entry(s.blend).name) +
-         (s.stitched() ? ", stitched" : "");
+         (s.stitched() ? ", arap" : "");
 }
 
 namespace {
 
 constexpr std::array ways_table = {
-    WayEntry{
-        {"smooth", "Smooth", "best for most models: weights along the surface, maps blended in log space"},
-        Way::smooth,
-        Scheme{.weighting = {Elements::face, Weights::biharmonic}}},
-    WayEntry{
-        {"paper", "As published", "the paper's method: inverse-distance weights, maps blended in log space"},
-        Way::paper,
-        Scheme{}},
+    WayEntry{{"smooth", "Smooth", "best for most models: weights along the surface, blended in log space"},
+             Way::smooth,
+             Scheme{.weighting = {Elements::face, Weights::biharmonic}}},
+    WayEntry{{"paper", "As published", "as in the paper: inverse-distance weights, blended in log space"},
+             Way::paper,
+             Scheme{}},
     WayEntry{{"mean-value", "Mean value",
               "mean value coordinates: exact for affine poses, but rotated parts lose volume"},
              Way::mean_value,
@@ -181,39 +180,42 @@ constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
     has_maps{[](const Scheme&s) { return s.has_maps(); },
              "this deformer ignores the cage's rotation and stretch",
              "omit it, or choose another deformer or blend"},
-    is_stitched{[](const Scheme&s) { return s.stitched(); }, "this setting needs stitching",
-                "omit it, or turn stitching on"};
+    is_stitched{[](const Scheme&s) { return s.stitched(); }, "this setting needs ARAP",
+                "omit it, or choose the deformer arap"};
 
 constexpr std::array numbers_table = {
-    NumberEntry{{"radius", "Radius", "Distance at which weights end, in percent of the cage's size"},
+    NumberEntry{{"radius", "Radius", "Distance at which weights end, relative to the cage's size"},
                 [](Scheme& s) -> double& { return s.weighting.radius; },
                 &AskedScheme::radius,
                 has_radius,
                 0.001,
                 10},
-    NumberEntry{{"turn", "Rotation", "Scale the blended rotation: 0 % ignores it, 100 % is normal"},
-                [](Scheme& s) -> double& { return s.amounts.turn; },
-                &AskedScheme::turn,
+    NumberEntry{{"rotation", "Rotation", "Scale the blended rotation"},
+                [](Scheme& s) -> double& { return s.amounts.rotation; },
+                &AskedScheme::rotation,
+                has_maps,
+                0,
+                2},
+    NumberEntry{{"stretch", "Stretch", "Scale the blended stretch"},
+                [](Scheme& s) -> double& { return s.amounts.stretch; },
+                &AskedScheme::stretch,
                 has_maps,
                 0,
                 2},
     NumberEntry{
-        {"stretch", "Stretch", "Scale the blended stretch in log space: 0 % ignores it, 100 % is normal"},
-        [](Scheme& s) -> double& { return s.amounts.stretch; },
-        &AskedScheme::stretch,
-        has_maps,
-        0,
-        2},
-    NumberEntry{
-        {"pins", "Attach", "ARAP: attach vertices within this distance of the cage, in percent of its size"},
+        {"attach", "Attach", "ARAP: attach vertices within this distance of the cage, relative to its size"},
         [](Scheme& s) -> double& { return s.holding.radius; },
-        &AskedScheme::pins,
+        &AskedScheme::attach,
         is_stitched},
     NumberEntry{{"hold", "Hold", "ARAP: pull each vertex towards the position that it has without ARAP"},
                 [](Scheme& s) -> double& { return s.holding.weight; },
                 &AskedScheme::hold,
                 is_stitched},
 };
+
+[[noreturn]] void refuse(std::string_view setting, const Need& need) {
+  throw base::Error(std::string(setting), std::string(need.problem), std::string(need.advice));
+}
 
 }  // namespace
 
@@ -238,17 +240,17 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   PartialChoice choice = asked.choice;
   if (asked.radius && !chosen && !asked.way && !choice.weights) choice.weights = Weights::cut_off;
   if (choice.any()) scheme = complete(choice, scheme);
-  if (asked.iterations) scheme.iterations = *asked.iterations;
+  if (asked.arap && !scheme.stitched()) scheme.iterations = 1;
+  if (asked.iterations && !scheme.stitched()) refuse("iterations", is_stitched);
+  scheme.iterations = asked.iterations.value_or(scheme.iterations);
   for (const NumberEntry& number : numbers_table) {
     const std::optional<double>& value = asked.*number.asked;
     if (!value) continue;
-    if (!number.need.met(scheme))
-      throw base::Error(std::string(number.name), std::string(number.need.problem),
-                        std::string(number.need.advice));
+    if (!number.need.met(scheme)) refuse(number.name, number.need);
     number.of(scheme) = *value;
   }
   if (const auto reason = conflict(scheme))
-    throw base::Error("stitched", std::string(*reason), "omit it, or choose another deformer or blend");
+    throw base::Error("arap", std::string(*reason), "omit it, or choose another deformer or blend");
   return scheme;
 }
 

@@ -85,9 +85,10 @@ struct Weighting {
 
 /// Factors of the logs of each map. Handles' centres do not change.
 struct Amounts {
-  double turn = 1, stretch = 1;  ///< turn: factor of the rotation's log; stretch: of the stretch's log
+  double rotation = 1,
+         stretch = 1;  ///< rotation: factor of the rotation's log; stretch: of the stretch's log
 
-  bool whole() const { return turn == 1 && stretch == 1; }
+  bool whole() const { return rotation == 1 && stretch == 1; }
   friend bool operator==(const Amounts&, const Amounts&) = default;
 };
 
@@ -139,7 +140,7 @@ bool fits(const PartialChoice& choice, const Scheme& scheme);
 /// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
 std::vector<Scheme> valid_schemes();
 
-/// Returns the names of weights and blend, for example "inverse, srl". If stitched, adds ", stitched".
+/// Returns the names of weights and blend, for example "inverse, srl". If stitched, adds ", arap".
 std::string text(const Scheme& scheme);
 
 enum class Way { smooth, paper, mean_value, rigid, arap, local };
@@ -184,11 +185,14 @@ Scheme chosen(Choice choice, const Scheme& now) {
 struct AskedScheme {
   std::optional<Way> way{};  ///< the base; the other fields modify it
   PartialChoice choice{};
-  std::optional<double> radius{}, turn{}, stretch{};  ///< see all_numbers()
-  std::optional<int> iterations{};                    ///< for stitching
-  std::optional<double> pins{}, hold{};               ///< see all_numbers()
+  std::optional<double> radius{}, rotation{}, stretch{};  ///< see all_numbers()
+  bool arap = false;                                      ///< turns ARAP on
+  std::optional<int> iterations{};                        ///< needs ARAP, see Scheme::iterations
+  std::optional<double> attach{}, hold{};                 ///< see all_numbers()
 
-  bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
+  bool any() const {
+    return way || choice.any() || radius || rotation || stretch || arap || iterations || attach || hold;
+  }
 };
 
 /// A setting that is a fraction. Users see and type percent; libraries use the fraction.
@@ -208,14 +212,14 @@ struct NumberEntry : ChoiceEntry {
 };
 /// Returns a fraction as text, for example "25 %".
 std::string text_of_percent(double fraction);
-/// The settings "radius", "turn", "stretch", "pins" and "hold".
+/// The settings "radius", "rotation", "stretch", "attach" and "hold".
 std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
 /// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. `chosen` is true if
 /// weights were chosen by name earlier, for example in a session. Otherwise, if `asked` has a radius, but
 /// neither a deformer nor weights, selects cut-off weights. Throws base::Error for incompatible choices, for
-/// numbers that the scheme does not use, and for stitching of elements that only translate.
+/// numbers that the scheme does not use, and for ARAP with elements that only translate.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
 /// Returns `stitched` for stitched schemes, `fused` for the method `fast` and for schemes without an

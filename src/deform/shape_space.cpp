@@ -295,8 +295,8 @@ void ShapeSpace::shape(std::span<const LogTerm> terms, const Held& held, base::W
   follow(terms, posed, pool, positions);
 }
 
-void ShapeSpace::straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
-  if (!coarse_) return logs_.straight(terms, positions);
+void ShapeSpace::linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
+  if (!coarse_) return logs_.linear(terms, positions);
   for (std::size_t v = 0; v < rest_.size(); ++v)
     positions[v] = rest_[v] + summed(terms, &LogVector::fine_ways, v);
 }

@@ -155,7 +155,7 @@ void Animation::add_shapes(VectorCache& vectors) {
   for (const PoseKey& key : timeline_.keys) {
     shape_vectors_.push_back(before = vectors.of(key.pose->shape, before, pool, reports.emplace_back()));
   }
-  if (!timeline_.straight) notes_ = shape_notes(reports);
+  if (!timeline_.linear) notes_ = shape_notes(reports);
   for (std::size_t i = 0; i + 1 < shape_vectors_.size(); ++i)
     held_shapes_.push_back(shapes_->logs().held_between(*shape_vectors_[i], *shape_vectors_[i + 1]));
 }
@@ -166,32 +166,32 @@ WholePose Animation::key(std::size_t key) const {
   return pose;
 }
 
-WholePose Animation::at(double frame, bool straight) const {
+WholePose Animation::at(double frame, bool linear) const {
   const Moment moment = moment_at(timeline_, frame);
   if (moment.shares.size() == 1) return key(moment.shares.front().key);
-  WholePose pose = blend(moment, straight);
+  WholePose pose = blend(moment, linear);
   return in_range(pose, farthest_) ? pose : key(moment.from);
 }
 
-WholePose Animation::blend(const Moment& moment, bool straight) const {
+WholePose Animation::blend(const Moment& moment, bool linear) const {
   const auto& keys = timeline_.keys;
   WholePose pose;
   std::vector<ProbeTerm> probes;
   for (const auto& [key, factor] : moment.shares) probes.push_back({&keys[key].pose->probes, factor});
   pose.probes = blended_probes(probes);
-  if (shapes_) pose.shape = blended_shape(moment, straight);
+  if (shapes_) pose.shape = blended_shape(moment, linear);
   if (!space_) return pose;
   std::vector<deform::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
-  pose.cage = straight ? space_->straight(terms) : space_->pose(terms, held_[moment.from]);
+  pose.cage = linear ? space_->linear(terms) : space_->pose(terms, held_[moment.from]);
   return pose;
 }
 
-SharedShape Animation::blended_shape(const Moment& moment, bool straight) const {
+SharedShape Animation::blended_shape(const Moment& moment, bool linear) const {
   std::vector<deform::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({shape_vectors_[key].get(), factor});
   base::WorkerPool pool;
-  return blended(*shapes_, terms, straight ? nullptr : &held_shapes_[moment.from], pool);
+  return blended(*shapes_, terms, linear ? nullptr : &held_shapes_[moment.from], pool);
 }
 
 namespace {
@@ -233,14 +233,14 @@ SharedShape blended(const deform::ShapeSpace& space, std::span<const deform::Log
     deform::LogSpace::Work work;
     space.shape(terms, *held, pool, work, positions);
   } else {
-    space.straight(terms, positions);
+    space.linear(terms, positions);
   }
   keep_still(space, terms, positions);
   keep_flat(space, terms, positions);
   return std::make_shared<const std::vector<mesh::Point>>(std::move(positions));
 }
 
-SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
+SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
                   base::WorkerPool& pool, std::vector<std::string>* notes) {
   std::vector<ShapeTerm> moving;
   for (const ShapeTerm& term : terms)
@@ -255,8 +255,8 @@ SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> te
     vectors.push_back(space.vector(*moving[i].shape, pool, nullptr, &reports[i]));
     sum.push_back({&vectors.back(), moving[i].factor});
   }
-  if (notes && !straight) *notes = shape_notes(reports);
-  if (straight) return blended(space, sum, nullptr, pool);
+  if (notes && !linear) *notes = shape_notes(reports);
+  if (linear) return blended(space, sum, nullptr, pool);
   const deform::Held held = space.logs().held_from(space.logs().at_rest(), sum);
   return blended(space, sum, &held, pool);
 }

@@ -30,9 +30,9 @@ SharedShape blended(const deform::ShapeSpace& space, std::span<const deform::Log
 void keep_flat(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
-/// Returns the rest shape plus the weighted shapes, blended linearly if `straight`, otherwise in log space.
+/// Returns the rest shape plus the weighted shapes, blended linearly if `linear`, otherwise in log space.
 /// Returns a single shape of factor 1 unchanged. Throws base::Error if a shape does not fit the model.
-SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
+SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
 /// Returns messages about problems in the shapes, for the user.
@@ -99,14 +99,14 @@ public:
   /// Returns messages about problems in the keys' shapes, for the user.
   const std::vector<std::string>& notes() const { return notes_; }
 
-  WholePose at(double frame) const { return at(frame, timeline_.straight); }
-  /// Returns the pose at a frame. Uses `straight` instead of the timeline's setting.
-  WholePose at(double frame, bool straight) const;
+  WholePose at(double frame) const { return at(frame, timeline_.linear); }
+  /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting.
+  WholePose at(double frame, bool linear) const;
 
 private:
   WholePose key(std::size_t key) const;
-  WholePose blend(const Moment& moment, bool straight) const;
-  SharedShape blended_shape(const Moment& moment, bool straight) const;
+  WholePose blend(const Moment& moment, bool linear) const;
+  SharedShape blended_shape(const Moment& moment, bool linear) const;
   void add_shapes(VectorCache& vectors);
   void take_farthest(std::span<const mesh::Point> positions);
 

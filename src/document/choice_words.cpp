@@ -53,7 +53,7 @@ std::span<const Choice> choices(SoftDistance) {
 std::span<const Choice> choices(Easing) {
   static constexpr Choice all[] = {
       {"smooth", "Smooth", "Interpolate smoothly through the keys, and slow down at the first and last key."},
-      {"linear", "Linear", "Interpolate at constant speed to the next key."},
+      {"constant_speed", "Constant speed", "Move at constant speed to the next key."},
       {"hold", "Hold", "Keep this key's pose until the next key."}};
   return all;
 }

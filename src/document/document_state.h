@@ -37,7 +37,7 @@ struct NamedShape {
 };
 
 /// The named poses, in the order of the user's list. The document's pose is `unmixed` plus the weighted
-/// poses. The sum is linear if Timeline::straight is true, otherwise in log space.
+/// poses. The sum is linear if Timeline::linear is true, otherwise in log space.
 struct PoseLibrary {
   static constexpr double least_weight = -2, largest_weight = 3;
   static constexpr std::size_t most_poses = 1000, longest_name = 200;

@@ -78,12 +78,12 @@ void set_amounts(Document& document, const deform::Amounts& amounts) {
 }
 
 void set_iterations(Document& document, int iterations) {
-  slide(document, "change stitching", binding_step(Setting::iterations), iterations,
+  slide(document, "change ARAP", binding_step(Setting::iterations), iterations,
         [](deform::Scheme& scheme) { return &scheme.iterations; });
 }
 
 void set_holding(Document& document, const deform::Holding& holding) {
-  slide(document, "change stitching constraints", binding_step(Setting::holding), holding,
+  slide(document, "change ARAP constraints", binding_step(Setting::holding), holding,
         [](deform::Scheme& scheme) { return &scheme.holding; });
 }
 

@@ -24,7 +24,7 @@ void set_scheme(Document& document, const deform::Scheme& scheme);
 /// Set one setting of the deformer. Undoable. Consecutive changes of one setting form one edit.
 void set_radius(Document& document, double radius);
 void set_amounts(Document& document, const deform::Amounts& amounts);
-/// Sets Scheme::iterations, at most deform::most_iterations. 0 turns stitching off. Stitching requires a
+/// Sets Scheme::iterations, at most deform::most_iterations. 0 turns ARAP off. ARAP requires a
 /// scheme with Scheme::has_maps().
 void set_iterations(Document& document, int iterations);
 void set_holding(Document& document, const deform::Holding& holding);

@@ -42,7 +42,7 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
   const deform::ShapeSpace& space = *vectors.shapes(pool);
   const deform::Held held = space.logs().held_from(*base, terms);
   terms.push_back({base, 1});
-  return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
+  return blended(space, terms, state.timeline.linear ? nullptr : &held, pool);
 }
 
 // Returns the pose `from` plus `sign` * the mix of the state's library.
@@ -61,7 +61,7 @@ WholePose mix_of(const Document& document, const DocumentState& state, VectorCac
     if (named.weight != 0) terms.push_back({vectors.of(named.pose).get(), sign * named.weight});
   const deform::Held held = vectors.space()->logs().held_from(*base, terms);
   terms.push_back({base.get(), 1});
-  pose.cage = state.timeline.straight ? vectors.space()->straight(terms) : vectors.space()->pose(terms, held);
+  pose.cage = state.timeline.linear ? vectors.space()->linear(terms) : vectors.space()->pose(terms, held);
   return pose;
 }
 
@@ -339,21 +339,21 @@ bool clear_mix(Document& document, VectorCache& vectors) {
   });
 }
 
-SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straight) {
+SharedPose mixed_by(const Document& document, VectorCache& vectors, bool linear) {
   const SharedPose base = unmixed_pose(document);
   if (!base) return nullptr;
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
   DocumentState state = state_of(document);
-  state.timeline.straight = straight;
+  state.timeline.linear = linear;
   const SharedPose pose = mixed_upon(document, state, vectors, base);
   return in_range(*pose) ? pose : nullptr;
 }
 
-bool set_straight(Document& document, VectorCache& vectors, bool straight) {
-  if (document.timeline.straight == straight) return true;
-  const char* const label = straight ? "interpolate linearly" : "interpolate in log space";
-  const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
+bool set_linear(Document& document, VectorCache& vectors, bool linear) {
+  if (document.timeline.linear == linear) return true;
+  const char* const label = linear ? "interpolate linearly" : "interpolate in log space";
+  const auto change = [linear](DocumentState& state) { state.timeline.linear = linear; };
   if (document.library.mixes()) return remix(document, vectors, label, change);
   record_edit(document, label);
   change(document);

@@ -63,10 +63,10 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
 /// Sets all weights to 0. Can return false like set_weight().
 bool clear_mix(Document& document, VectorCache& vectors);
 /// Sets how poses and keys are blended: linearly or in log space. Can return false like set_weight().
-bool set_straight(Document& document, VectorCache& vectors, bool straight);
-/// Returns the mix, computed linearly if `straight`, otherwise in log space. If the current pose is not a
+bool set_linear(Document& document, VectorCache& vectors, bool linear);
+/// Returns the mix, computed linearly if `linear`, otherwise in log space. If the current pose is not a
 /// mix, or the result is out of the drawable range, returns null.
-SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straight);
+SharedPose mixed_by(const Document& document, VectorCache& vectors, bool linear);
 
 // The next four functions do not record an edit.
 

@@ -50,7 +50,7 @@ void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t ke
   const auto before = piece_before(track, key), after = piece_after(track, key);
   if (!before || !after) return;
   for (const auto& [piece, other] : {std::pair(*before, *after), std::pair(*after, *before)})
-    if (piece.easing == Easing::linear) return add_secant(shares, piece, factor);
+    if (piece.easing == Easing::constant_speed) return add_secant(shares, piece, factor);
   if (before->easing != Easing::smooth || after->easing != Easing::smooth) return;
   const double whole = before->length + after->length;
   add_secant(shares, *before, factor * after->length / whole);
@@ -88,7 +88,7 @@ std::vector<KeyShare> shares_in_piece(const Track& track, std::size_t from, doub
   };
   switch (track.easing(from)) {
     case Easing::hold: return {{from, 1}};
-    case Easing::linear: return between(t);
+    case Easing::constant_speed: return between(t);
     case Easing::smooth: break;
   }
   return hermite(track, from, t);

@@ -39,7 +39,7 @@ struct WholePose {
 using SharedPose = std::shared_ptr<const WholePose>;
 
 /// The interpolation from a key to the next key.
-enum class Easing { smooth, linear, hold };
+enum class Easing { smooth, constant_speed, hold };
 std::span<const Choice> choices(Easing);
 
 /// The behaviour after the last frame.
@@ -73,7 +73,7 @@ struct Playing {
   int first = 1, last = 60;  ///< the playback range; last > first
   double rate = 24;          ///< in frames per second
   Repeat repeat = Repeat::loop;
-  bool straight = false;  ///< true: blends vertex positions linearly; false: blends in log space
+  bool linear = false;  ///< true: blends vertex positions linearly; false: blends in log space
 
   friend bool operator==(const Playing&, const Playing&) = default;
 };

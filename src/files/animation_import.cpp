@@ -119,7 +119,7 @@ ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const
   base::require_memory({24.0 * static_cast<double>(head.frames) * static_cast<double>(head.points),
                         base::counted(head.frames, "key") + " of the cage take", "export fewer frames",
                         file.string()});
-  KeyBuilder keys(file.string(), document::Easing::linear);
+  KeyBuilder keys(file.string(), document::Easing::constant_speed);
   for (std::size_t i = 0; i < head.frames; ++i) {
     report_part(progress, i, head.frames);
     const bool has_times = head.format == formats::PointCacheFormat::mdd;
@@ -141,7 +141,7 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
         clip ? "import it as poses" : "export the cage with animated morph targets (shape keys)");
   const auto& seconds = clip->seconds();
   check_key_count(file.string(), seconds.size());
-  KeyBuilder keys(file.string(), document::Easing::linear);
+  KeyBuilder keys(file.string(), document::Easing::constant_speed);
   const auto frame_of = [&](std::size_t key) { return std::round(times.first + seconds[key] * times.rate); };
   double sampled = 0;  // number of frames between keys
   for (std::size_t i = 0; i + 1 < seconds.size(); ++i)
@@ -152,7 +152,8 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     report_part(progress, i, seconds.size());
     const auto curve = i + 1 < seconds.size() ? clip->curves()[i] : formats::MorphCurve::linear;
-    keys.set_easing(curve == formats::MorphCurve::held ? document::Easing::hold : document::Easing::linear);
+    keys.set_easing(curve == formats::MorphCurve::held ? document::Easing::hold
+                                                       : document::Easing::constant_speed);
     keys.add(times.first + seconds[i] * times.rate, {found.at(seconds[i]), {}});
     if (curve != formats::MorphCurve::other) continue;
     for (double frame = frame_of(i) + 1; frame < frame_of(i + 1); ++frame)

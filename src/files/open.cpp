@@ -213,7 +213,7 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
     opened.keys.push_back(
         {frame++,
          std::make_shared<const document::WholePose>(document::WholePose{cage, {}, std::move(shape.shape)}),
-         document::Easing::linear});
+         document::Easing::constant_speed});
   opened.pose_of = current.cage;
   return opened;
 }

@@ -108,12 +108,12 @@ static void code(const JsonField& f, deform::Scheme& scheme) {
       f.in().at("blend").fail(error.problem());
     }
   }
-  f.unless(0, "stitched", scheme.iterations, Limits{1, deform::most_iterations});
+  f.unless(0, "iterations", scheme.iterations, Limits{1, deform::most_iterations});
   deform::Scheme usual;
   for (const deform::NumberEntry& number : deform::all_numbers())
     f.unless(number.of(usual), number.name.data(), number.of(scheme), percent(number.least, number.largest));
   if (!f.reads()) return;
-  if (const auto reason = deform::conflict(scheme)) f.in().at("stitched").fail(std::string(*reason));
+  if (const auto reason = deform::conflict(scheme)) f.in().at("iterations").fail(std::string(*reason));
 }
 
 static void code(const JsonField& f, document::ViewOptions& view) {
@@ -178,7 +178,7 @@ static void code(const JsonField& f, deform::Influence& influence) {
 
 static void code(const JsonField& f, deform::Probe& probe) {
   f.needed("place", probe.place, Reach{document::most_drawn});
-  f.needed("turn", probe.turn);
+  f.needed("rotation", probe.turn);
   f.needed("stretch", probe.stretch);
   f.needed("move", probe.move);
   f.unless(false, "locked", probe.locked);
@@ -286,7 +286,7 @@ static void code(const JsonField& f, document::Timeline& t) {
   f.member("last", t.last, frames);
   f.member("rate", t.rate, Limits{document::Timeline::least_rate, document::Timeline::largest_rate});
   f.member("repeat", t.repeat);
-  f.unless(false, "straight", t.straight);
+  f.unless(false, "linear", t.linear);
   f.unless({}, "keys", t.keys, document::Timeline::most_keys);
   f.unless({}, "unkeyed", t.unkeyed, document::Timeline::most_keys);
   f.unless({}, "cameras", t.cameras, document::Timeline::most_keys);

@@ -2,7 +2,7 @@
 // C++ interface.
 //
 // A Deformer binds a model to a cage once. Each pose of the cage then gives the positions of the model's
-// vertices. The chapter "Blending" of the manual explains the settings. Points are x, y, z; angles are in
+// vertices. The chapter "Deformers" of the manual explains the settings. Points are x, y, z; angles are in
 // radians. Functions throw std::runtime_error; the message says what is wrong and what to do. The number of
 // threads does not change the results. A moved-from object can only be destroyed or assigned to.
 //
@@ -69,15 +69,17 @@ struct CageWish {
 Mesh make_cage(const Mesh& model, const CageWish& wish = {}, const Watch& watch = {});
 
 /// How the cage moves the model. `viete help deformers` describes all names and numbers. Numbers here are
-/// fractions, not percentages. An empty member means the default of the deformer `way`.
+/// fractions where the command line and the window have percentages. An empty member means the default of the
+/// deformer.
 struct Blending {
-  std::string way = "smooth";      ///< deformer: "smooth", "paper", "mean-value", "rigid", "arap", "local"
-  std::string weights{}, blend{};  ///< replace the weights and the blend of the deformer
-  std::optional<double> radius{};  ///< distance at which weights become 0, in cage sizes, 0.001 to 10
-  std::optional<double> turn{}, stretch{};  ///< factors of the rotations and of the stretches, 0 to 2
-  std::optional<int> stitched{};            ///< iterations of the solver for triangle shapes, 1 to 20
-  std::optional<double> pins{}, hold{};     ///< settings of the solver for triangle shapes; each 0 to 1
-  std::string method = "fast";              ///< method for matrices: "diag", "sd", "improved_sd" or "fast"
+  std::string deformer = "smooth";  ///< "smooth", "paper", "mean-value", "rigid", "arap", "local"
+  std::string weights{}, blend{};   ///< replace the weights and the blend of the deformer
+  std::optional<double> radius{};   ///< distance at which weights become 0, in cage sizes, 0.001 to 10
+  std::optional<double> rotation{}, stretch{};  ///< factors of the rotations and of the stretches, 0 to 2
+  bool arap = false;                            ///< solves for a mesh that is as rigid as possible
+  std::optional<int> iterations{};              ///< ARAP: number of solves, 1 to 20
+  std::optional<double> attach{}, hold{};       ///< ARAP: distance in cage sizes, strength; each 0 to 1
+  std::string method = "fast";  ///< method for matrices: "diag", "sd", "improved_sd" or "fast"
 };
 
 /// A model bound to a cage. Threads may use different deformers at the same time, but not the same deformer.
@@ -127,9 +129,9 @@ public:
 
   /// The weighted sum of the shapes: (1, 0, ...) gives the first shape, and zeros give the rest shape.
   std::vector<Point3> mix(std::span<const double> weights) const;
-  /// Interpolates the sequence of shapes: 0 is the first shape, 1 the second, 0.5 is halfway. If `straight`
+  /// Interpolates the sequence of shapes: 0 is the first shape, 1 the second, 0.5 is halfway. If `linear`
   /// is true, vertices move along straight lines.
-  std::vector<Point3> between(double at, bool straight = false) const;
+  std::vector<Point3> between(double at, bool linear = false) const;
   /// Example-based posing: moves `vertices` to `places`. All other vertices follow a blend of the shapes.
   /// `firmness` is the strength of the places: infinity is exact, 1 is about as strong as the pull of the
   /// neighbouring vertices, 0.3 is soft. `freedom`: with 0, the result is exactly a blend; with 1, it is as
@@ -149,7 +151,7 @@ public:
   PoseSpace(const Mesh& cage, std::span<const std::vector<Point3>> poses);
 
   std::vector<Point3> mix(std::span<const double> weights) const;
-  std::vector<Point3> between(double at, bool straight = false) const;
+  std::vector<Point3> between(double at, bool linear = false) const;
 
 private:
   struct Impl;

@@ -30,15 +30,16 @@ void take(std::span<const Entry> table, const std::string& name, const char* wha
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
   // Smooth weights spread along the surface. A model without faces therefore gets another default deformer.
-  if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
+  if (has_triangles || b.deformer != Blending{}.deformer)
+    take(deform::all_ways(), b.deformer, "deformer", asked.way);
   take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
   take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
-  asked.radius = b.radius, asked.turn = b.turn, asked.stretch = b.stretch, asked.iterations = b.stitched;
-  asked.pins = b.pins, asked.hold = b.hold;
+  asked.radius = b.radius, asked.rotation = b.rotation, asked.stretch = b.stretch;
+  asked.arap = b.arap, asked.iterations = b.iterations, asked.attach = b.attach, asked.hold = b.hold;
   for (const deform::NumberEntry& number : deform::all_numbers())
     if (const auto& value = asked.*number.asked)
       library::check_range(number.name.data(), *value, number.least, number.largest);
-  if (b.stitched) library::check_range("stitched", *b.stitched, 1, deform::most_iterations);
+  if (b.iterations) library::check_range("iterations", *b.iterations, 1, deform::most_iterations);
   return deform::scheme_of(asked, deform::default_scheme(has_triangles));
 }
 
@@ -76,12 +77,14 @@ std::string library::settings_text() {
     for (const auto& entry : table)
       text += "\n  '" + std::string(entry.name) + "': " + std::string(entry.sentence);
   };
-  list("way: the deformer, which decides how the cage moves the model.", deform::all_ways());
+  list("deformer: decides how the cage moves the model.", deform::all_ways());
   list("weights: replaces the weights of the deformer. Some weights allow only some blends.",
        deform::all_weights());
   list("blend: replaces the blend of the deformer.", deform::all_blends());
-  text += "\nstitched: number of iterations, 1 to " + std::to_string(deform::most_iterations) +
-          ", of a solver that keeps the shape of triangles.";
+  text +=
+      "\narap: True solves for a mesh that is as rigid as possible.\niterations: ARAP: number of solves, 1 "
+      "to " +
+      std::to_string(deform::most_iterations) + ".";
   for (const deform::NumberEntry& number : deform::all_numbers())
     text += "\n" + std::string(number.name) + ": " + std::string(number.sentence) + "; a fraction from " +
             plain(number.least) + " to " + plain(number.largest) + ".";

@@ -21,17 +21,17 @@ struct Sequence {
   document::VectorCache known;
   std::optional<document::Animation> animation;
 
-  document::WholePose at(double moment, bool straight) {
+  document::WholePose at(double moment, bool linear) {
     const int last = static_cast<int>(poses.size()) - 1;
     check_range("at", moment, 0, last);
-    if (animation) return animation->at(moment, straight);
+    if (animation) return animation->at(moment, linear);
     document::Timeline timeline;
     timeline.first = 0, timeline.last = last;
     timeline.repeat = document::Repeat::once;
-    const auto easing = last == 1 ? document::Easing::linear : document::Easing::smooth;
+    const auto easing = last == 1 ? document::Easing::constant_speed : document::Easing::smooth;
     for (int frame = 0; frame <= last; ++frame)
       timeline.keys.push_back({frame, poses[static_cast<std::size_t>(frame)], easing});
-    return animation.emplace(timeline, known).at(moment, straight);
+    return animation.emplace(timeline, known).at(moment, linear);
   }
 
   std::vector<deform::LogTerm> sum(std::span<const double> weights) const {
@@ -104,9 +104,9 @@ std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
   return sum_outside(*document::blended(space, sum, &held, impl_->pool));
 }
 
-std::vector<Point3> ShapeSpace::between(double at, bool straight) const {
+std::vector<Point3> ShapeSpace::between(double at, bool linear) const {
   const base::ForkDelay delay;
-  return library::outside(*impl_->at(at, straight).shape);
+  return library::outside(*impl_->at(at, linear).shape);
 }
 
 std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, std::span<const Point3> places,
@@ -170,9 +170,9 @@ std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
   return sum_outside(space.pose(sum, logs.held_from(logs.at_rest(), sum)).positions);
 }
 
-std::vector<Point3> PoseSpace::between(double at, bool straight) const {
+std::vector<Point3> PoseSpace::between(double at, bool linear) const {
   const base::ForkDelay delay;
-  return library::outside(impl_->at(at, straight).cage.positions);
+  return library::outside(impl_->at(at, linear).cage.positions);
 }
 
 }  // namespace viete

@@ -23,9 +23,10 @@ using Bound = Guarded<BoundModel>;
 using Number = std::optional<double>;
 
 Bound bound(const py::object& vertices, const py::object& faces, const py::object& cage_vertices,
-            const py::object& cage_faces, const std::string& way, const std::string& weights,
-            const std::string& blend, Number radius, Number turn, Number stretch, std::optional<int> stitched,
-            Number pins, Number hold, const std::string& method, int threads, const py::object& dtype) {
+            const py::object& cage_faces, const std::string& name, const std::string& weights,
+            const std::string& blend, Number radius, Number rotation, Number stretch, bool arap,
+            std::optional<int> iterations, Number attach, Number hold, const std::string& method, int threads,
+            const py::object& dtype) {
   const Mesh model = mesh_of("Deformer", vertices, faces),
              cage = mesh_of("Deformer", cage_vertices, cage_faces);
   const auto type = py::dtype::from_args(dtype);
@@ -33,7 +34,8 @@ Bound bound(const py::object& vertices, const py::object& faces, const py::objec
     throw py::type_error("viete.Deformer: dtype must be float32 or float64");
   const bool single = type.itemsize() == 4;
   const py::gil_scoped_release release;
-  const Blending blending{way, weights, blend, radius, turn, stretch, stitched, pins, hold, method};
+  const Blending blending{name, weights,    blend,  radius, rotation, stretch,
+                          arap, iterations, attach, hold,   method};
   Deformer deformer(model, cage, blending, threads);
   deformer.bind(single, heed_signals);
   return Bound({std::move(deformer), single});
@@ -93,10 +95,11 @@ void define_deformer(py::module_& m) {
   const auto none = py::none();
   py::class_<Bound>(m, "Deformer", "A model bound to a cage.")
       .def(py::init(&bound), py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"),
-           py::arg("cage_faces"), py::arg("way") = "smooth", py::kw_only(), py::arg("weights") = "",
-           py::arg("blend") = "", py::arg("radius") = none, py::arg("turn") = none, py::arg("stretch") = none,
-           py::arg("stitched") = none, py::arg("pins") = none, py::arg("hold") = none,
-           py::arg("method") = "fast", py::arg("threads") = 0, py::arg("dtype") = "float64", text.c_str())
+           py::arg("cage_faces"), py::arg("deformer") = "smooth", py::kw_only(), py::arg("weights") = "",
+           py::arg("blend") = "", py::arg("radius") = none, py::arg("rotation") = none,
+           py::arg("stretch") = none, py::arg("arap") = false, py::arg("iterations") = none,
+           py::arg("attach") = none, py::arg("hold") = none, py::arg("method") = "fast",
+           py::arg("threads") = 0, py::arg("dtype") = "float64", text.c_str())
       .def(
           "deform", deform, py::arg("cage"), py::arg("out") = none, py::arg("normals") = none,
           "The model's vertices (n, 3) for a pose of the cage's vertices (k, 3).\n\n"

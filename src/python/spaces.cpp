@@ -36,12 +36,12 @@ void define_sums(py::class_<Guarded<Space>>& space) {
       "rest. Weights are from -1000 to 1000.");
   space.def(
       "between",
-      [](Guarded<Space>& s, double at, bool straight) {
-        return array_of(s.with([&](const Space& space) { return space.between(at, straight); }));
+      [](Guarded<Space>& s, double at, bool linear) {
+        return array_of(s.with([&](const Space& space) { return space.between(at, linear); }));
       },
-      py::arg("at"), py::arg("straight") = false,
+      py::arg("at"), py::arg("linear") = false,
       "Interpolates in log space, (n, 3): 0 gives the first shape or pose, 1 the second, 0.5 halfway.\n"
-      "straight: moves vertices along straight lines instead.");
+      "linear: moves vertices along straight lines instead.");
 }
 
 py::tuple pose_by_pins(Shapes& shapes, const std::vector<std::uint32_t>& vertices, const py::object& places,

@@ -11,12 +11,12 @@ namespace viete::sym3 {
 namespace {
 
 constexpr MethodEntry table[] = {
-    {Method::diag, "diag", "Diag", "Full diagonalisation by QR: the paper's reference."},
-    {Method::sd, "sd", "SD", "The paper's spectral decomposition with eigenvalues by QR."},
+    {Method::diag, "diag", "Diag", "Full diagonalisation by QR."},
+    {Method::sd, "sd", "SD", "Spectral decomposition with eigenvalues by QR."},
     {Method::improved_sd, "improved_sd", "Improved SD",
-     "The paper's method: spectral decomposition with eigenvalues by Viete's formula."},
+     "Spectral decomposition with eigenvalues by Viete's formula."},
     {Method::improved_sd_faithful, "improved_sd_faithful", "ISD unguarded",
-     "The paper's method without checks: NaN for many matrices with equal eigenvalues."},
+     "As Improved SD, without checks: NaN for many matrices with equal eigenvalues."},
     {Method::fast, "fast", "Fast", "A recurrence in two invariants that needs no eigenvalues (default)."},
 };
 

@@ -17,7 +17,8 @@
 
 namespace viete::sym3 {
 
-/// Methods to compute exp. `fast` is the default. The other methods are from the paper.
+/// Methods to compute exp. `fast` is the default. The others are from the paper, with its misprints
+/// corrected; improved_sd is also guarded against equal eigenvalues.
 /// For all methods except improved_sd_faithful, a NaN or an infinity in S gives six NaN, and the zero matrix
 /// gives exactly the identity matrix I.
 enum class Method {
@@ -39,8 +40,9 @@ enum class Method {
   /// method less accurate than sd. If S is finite and no term overflows, the result has no NaN.
   improved_sd,
 
-  /// The paper's formula with corrected misprints, without clamping and without a case for triple
-  /// eigenvalues. Only for comparison. The formula gives NaN for multiples of the identity, for half of all
+  /// Like improved_sd, without clamping and without a case for triple eigenvalues: the paper's algorithm with
+  /// nothing but its misprints corrected. Only for comparison. The formula gives NaN for multiples of the
+  /// identity, for half of all
   /// matrices with a double eigenvalue, and for some matrices with close eigenvalues.
   improved_sd_faithful,
 

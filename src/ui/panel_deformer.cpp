@@ -98,13 +98,13 @@ void number_slider(const Context& ui, const char* name, std::span<const double> 
   document::set_holding(document, scheme.holding);
 }
 
-void stitching(const Context& ui) {
+void arap(const Context& ui) {
   document::Document& document = ui.workspace.document;
-  const workspace::Condition& condition = workspace::find_command("toggle_stitched")->enabled;
+  const workspace::Condition& condition = workspace::find_command("toggle_arap")->enabled;
   const bool possible = condition(ui.workspace), stitched = document.scheme.stitched();
-  row_label("Shape", chooser_label);
+  row_label("Solve", chooser_label);
   ImGui::BeginDisabled(!possible);
-  command_toggle(ui, "toggle_stitched", stitched);
+  command_toggle(ui, "toggle_arap", stitched);
   ImGui::EndDisabled();
   if (!possible) return hint(std::string(condition.otherwise));
   if (!stitched) return;
@@ -119,7 +119,7 @@ void stitching(const Context& ui) {
   if (slid.typed) iterations = static_cast<int>(std::lround(*slid.typed));
   if (slid.moved || slid.typed) document::set_iterations(document, iterations);
   hint("Number of solves per frame. More solves distribute bends more evenly, but take longer.");
-  number_slider(ui, "pins", std::array{0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2});
+  number_slider(ui, "attach", std::array{0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2});
   number_slider(ui, "hold", std::array{0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0});
 }
 
@@ -130,7 +130,7 @@ void panel_custom(const Context& ui) {
   const document::Scheme& scheme = ui.workspace.document.scheme;
   chooser(ui, "weights", "Weights", document::all_weights(), std::optional(scheme.weighting.weights));
   chooser(ui, "blend", "Blend", document::all_blends(), std::optional(scheme.blend));
-  stitching(ui);
+  arap(ui);
 }
 
 void panel_deformer(const Context& ui) {
@@ -141,7 +141,7 @@ void panel_deformer(const Context& ui) {
   if (scheme.weighting.partial()) number_slider(ui, "radius", radii);
   std::array<double, 41> amounts;
   for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] = 5 * static_cast<double>(i) / 100;
-  for (const char* name : {"turn", "stretch"}) number_slider(ui, name, amounts);
+  for (const char* name : {"rotation", "stretch"}) number_slider(ui, name, amounts);
 }
 
 }  // namespace viete::ui

@@ -53,8 +53,7 @@ void side_rows(const Context& ui, std::size_t number, workspace::SplitView& side
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
   if (side.other_blending || workspace::has_blended_pose(ui.workspace)) {
-    const char* const words =
-        ui.workspace.document.timeline.straight ? "In log space" : "Linear interpolation";
+    const char* const words = ui.workspace.document.timeline.linear ? "In log space" : "Linear interpolation";
     ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_blending);
     record(ui, name + "/lines");
     hint("Interpolate differently from the first view, to compare log space and linear interpolation.");

@@ -49,7 +49,7 @@ void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
 void panel_timings(const Context& ui);
 void panel_deformer(const Context& ui);
-void panel_custom(const Context& ui);  ///< weights, blend and stitching
+void panel_custom(const Context& ui);  ///< weights, blend and ARAP
 void panel_map(const Context& ui);
 void panel_views(const Context& ui);
 void panel_vertex(const Context& ui);    ///< the vertex inspector

@@ -19,7 +19,7 @@ constexpr float least_room = 170;  // if there is less room beside the axes, the
 // The interpolation of a view. Empty if all views use the same interpolation.
 std::string blending_words(const workspace::Workspace& w, bool other) {
   if (std::ranges::none_of(w.view.split.sides(), &workspace::SplitView::other_blending)) return "";
-  return w.document.timeline.straight != other ? "linear interpolation" : "log space";
+  return w.document.timeline.linear != other ? "linear interpolation" : "log space";
 }
 
 struct Caption {

@@ -172,8 +172,8 @@ void transport(const Context& ui, float right) {
 }
 
 void way_choice(const Context& ui) {
-  const bool straight = ui.workspace.document.timeline.straight;
-  const workspace::Command& command = *workspace::find_command("toggle_straight");
+  const bool linear = ui.workspace.document.timeline.linear;
+  const workspace::Command& command = *workspace::find_command("toggle_linear");
   const char* labels[] = {"Log space", "Linear"};
   const char* hints[] = {
       "Interpolate rotation and stretch between poses: halfway to 180 degrees is 90 degrees.",
@@ -181,10 +181,10 @@ void way_choice(const Context& ui) {
   ImGui::BeginDisabled(!command.enabled(ui.workspace));
   for (int i = 0; i < 2; ++i) {
     if (i > 0) ImGui::SameLine(0, 2);
-    const bool on = straight == (i == 1);
+    const bool on = linear == (i == 1);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/straight", hints[i], {76, bar_height}) && !on)
+    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/linear", hints[i], {76, bar_height}) && !on)
       command.run(ui.workspace);
     if (on) ImGui::PopStyleColor(2);
   }
@@ -210,7 +210,7 @@ void easing_choice(const Context& ui) {
   const document::PoseKey* key =
       eased.empty() ? nullptr : document::key_at(w.document.timeline, eased.front());
   ImGui::BeginDisabled(!key);
-  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 92,
+  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 116,
               {"time/", "Easing",
                "Interpolation from the selected keys, or from the key before this frame, to the next key."});
   ImGui::EndDisabled();
@@ -234,7 +234,7 @@ void range(const Context& ui, float right) {
                                              {.prefix = "time/"});
                                }},
                               {156, 8, [&] { way_choice(ui); }},
-                              {92, 8, [&] { easing_choice(ui); }}};
+                              {116, 8, [&] { easing_choice(ui); }}};
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 

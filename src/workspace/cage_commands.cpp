@@ -139,7 +139,7 @@ void add_blend_commands(CommandTable& table) {
   add_table(table, deform::all_weights(), "Weights");
   add_table(table, deform::all_blends(), "Blend");
   table.add(
-      "toggle_stitched", {"Preserve shape (ARAP)", "Preserve shape"},
+      "toggle_arap", {"As rigid as possible (ARAP)", "ARAP"},
       "Solve for the whole mesh so that its triangles deform as rigidly as possible. Preserves details, "
       "but frames take longer.",
       without_drag<has_maps>,

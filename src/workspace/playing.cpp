@@ -242,11 +242,11 @@ void follow_time(Workspace& w, double seconds) {
 }
 
 document::SharedPose pose_by_other_blending(Workspace& w) {
-  const bool straight = !w.document.timeline.straight;
+  const bool linear = !w.document.timeline.linear;
   const auto animation = animation_of(w);
   if (animation && is_shown(w))
-    return std::make_shared<const document::WholePose>(animation->at(w.document.frame, straight));
-  return mixed_by(w.document, w.playback.vectors, straight);
+    return std::make_shared<const document::WholePose>(animation->at(w.document.frame, linear));
+  return mixed_by(w.document, w.playback.vectors, linear);
 }
 
 bool has_blended_pose(const Workspace& w) {

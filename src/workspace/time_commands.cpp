@@ -209,16 +209,16 @@ void add_time_commands(CommandTable& table) {
             "Set a key at this frame after each edit. Works only if there is a key already.", always,
             {[](Workspace& w) { w.playback.auto_key ^= true; },
              [](const Workspace& w) { return w.playback.auto_key; }});
-  table.add("toggle_straight", {"Linear interpolation", "Linear"},
+  table.add("toggle_linear", {"Linear interpolation", "Linear"},
             "Interpolate vertex positions linearly between keys and in weighted poses. When off, rotations "
             "and stretches are interpolated in log space.",
             has_model,
             {[](Workspace& w) {
                change_mix(w, [&] {
-                 return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
+                 return set_linear(w.document, w.playback.vectors, !w.document.timeline.linear);
                });
              },
-             [](const Workspace& w) { return w.document.timeline.straight; }});
+             [](const Workspace& w) { return w.document.timeline.linear; }});
   table.add("toggle_timeline", {"Show timeline", "Timeline"}, "Show or hide the timeline.",
             {key('T'), false, true}, always,
             {[](Workspace& w) { w.preferences.layout.timeline = !w.preferences.layout.timeline; },

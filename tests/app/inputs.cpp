@@ -68,15 +68,19 @@ TEST_CASE("every_method_that_has_a_name_is_taken_and_none_is_asked_for_by_itself
   }
 }
 
-TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
-  CHECK_FALSE(parsed(Use::picture, "a.obj").settings.iterations);
-  CHECK(parsed(Use::picture, "a.obj --stitched").settings.iterations == 1);
-  CHECK(parsed(Use::picture, "a.obj --stitched --iterations 20").settings.iterations == 20);
-  CHECK(parsed(Use::picture, "a.obj --iterations 4 --stitched").settings.iterations == 4);
-  CHECK(mentions(refusal(Use::picture, "a.obj --iterations 4"), "--stitched"));
+TEST_CASE("arap_takes_a_number_of_iterations_or_one") {
+  const auto iterations = [](const std::string& words) {
+    return deform::scheme_of(parsed(Use::picture, "a.obj " + words).settings, {}).iterations;
+  };
+  CHECK(iterations("") == 0);
+  CHECK(iterations("--arap") == 1);
+  CHECK(iterations("--arap --iterations 20") == 20);
+  CHECK(iterations("--iterations 4 --arap") == 4);
+  CHECK(iterations("--deformer arap --iterations 4") == 4);
+  CHECK_THROWS_WITH(iterations("--iterations 4"), doctest::Contains("needs ARAP"));
   for (const char* bad : {"0", "21", "-1", "1.5", "many"})
-    CHECK(mentions(refusal(Use::picture, std::string("a.obj --stitched --iterations ") + bad), "1 to 20"));
-  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --stitched --weights mean-value"), base::Error);
+    CHECK(mentions(refusal(Use::picture, std::string("a.obj --arap --iterations ") + bad), "1 to 20"));
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --arap --weights mean-value"), base::Error);
 }
 
 TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {

@@ -117,7 +117,7 @@ TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
   // Linear interpolation would reduce the tip's distance to 1.41.
   CHECK(least > 1.9);
   const std::array half{LogTerm{&rest, 0.5}, LogTerm{&posed, 0.5}};
-  CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
+  CHECK(norm(p.space.linear(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
 }
 
 TEST_CASE("coincident_vertices_stay_together_between_poses") {

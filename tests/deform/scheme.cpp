@@ -41,7 +41,7 @@ TEST_CASE("every_number_is_found_by_its_name_and_is_used_by_some_scheme") {
     CHECK((n.least <= n.of(scheme) && n.of(scheme) <= n.largest));
     AskedScheme asked;
     asked.*n.asked = 0.29;
-    asked.iterations = n.name == "pins" || n.name == "hold" ? std::optional(1) : std::nullopt;
+    asked.arap = n.name == "attach" || n.name == "hold";
     scheme = scheme_of(asked, {});
     CHECK(n.of(scheme) == 0.29);
     CHECK(n.percent(scheme) == 29);
@@ -136,7 +136,7 @@ TEST_CASE("stitching_is_kept_if_compatible_and_changes_the_scheme") {
   CHECK(stitched != Scheme());
   CHECK(stitched.stitched());
   CHECK_FALSE(conflict(stitched));
-  CHECK(text(stitched) == "inverse, srl, stitched");
+  CHECK(text(stitched) == "inverse, srl, arap");
   CHECK(complete(only(Weights::harmonic), stitched).iterations == 2);
   CHECK(complete(only(Weights::mean_value), stitched).iterations == 0);
   Scheme points = scheme_of(Way::mean_value);

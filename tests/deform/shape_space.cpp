@@ -236,7 +236,7 @@ TEST_CASE("shapes_of_large_models_twist_like_those_of_small_models" * doctest::t
     const LogVector vector = s.space.vector(shape, s.pool);
     const LogTerm term{&vector, 0.5};
     Points straight(shape.size());
-    s.space.straight({&term, 1}, straight);
+    s.space.linear({&term, 1}, straight);
     CHECK(norm(straight[70] - 0.5 * (limb.positions[70] + shape[70])) < 1e-15);
   }
 }

@@ -21,7 +21,7 @@ struct Keyed {
   }
 };
 
-Timeline two_keys(const deform::Pose& from, const deform::Pose& to, Easing easing = Easing::linear) {
+Timeline two_keys(const deform::Pose& from, const deform::Pose& to, Easing easing = Easing::constant_speed) {
   Timeline timeline;
   timeline.keys = {key(1, from, easing), key(11, to)};
   return timeline;
@@ -31,7 +31,7 @@ Timeline two_keys(const deform::Pose& from, const deform::Pose& to, Easing easin
 
 TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
   Keyed k;
-  for (const Easing easing : {Easing::linear, Easing::smooth}) {
+  for (const Easing easing : {Easing::constant_speed, Easing::smooth}) {
     const Animation a = k.animation(two_keys(turned_cube(0), turned_cube(180), easing));
     CHECK(distance(a.at(6).cage.positions, turned_cube(90).positions) < 1e-12);
   }
@@ -39,11 +39,11 @@ TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
   for (double share = 0; share <= 1; share += 0.05)
     CHECK(distance(even.at(1 + 10 * share).cage.positions, turned_cube(180 * share).positions) < 1e-12);
   // In the middle of a linear blend, the cube has no volume.
-  Timeline straight = two_keys(turned_cube(0), turned_cube(180));
-  straight.straight = true;
-  for (const auto& middle : {even.at(6, true), k.animation(straight).at(6)})
+  Timeline linear = two_keys(turned_cube(0), turned_cube(180));
+  linear.linear = true;
+  for (const auto& middle : {even.at(6, true), k.animation(linear).at(6)})
     for (const auto& p : middle.cage.positions) CHECK(std::hypot(p[0], p[1]) < 1e-12);
-  CHECK(k.animation(straight).at(6, false) == even.at(6));
+  CHECK(k.animation(linear).at(6, false) == even.at(6));
 }
 
 TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
@@ -65,7 +65,7 @@ TEST_CASE("poses_that_say_nothing_of_whole_turns_have_those_nearest_to_the_key_b
   for (int i = 0; i <= 9; ++i) {
     deform::Pose pose = turned_cube(60 * i);
     pose.turns.clear();
-    t.keys.push_back(key(1 + 10 * i, pose, Easing::linear));
+    t.keys.push_back(key(1 + 10 * i, pose, Easing::constant_speed));
   }
   const Animation a = k.animation(t);
   for (double degrees = 0; degrees <= 540; degrees += 30) {
@@ -103,7 +103,7 @@ struct Shaped {
     points[7][2] += pull;
     return std::make_shared<const std::vector<mesh::Point>>(test::turned(points, degrees));
   }
-  static PoseKey key(int frame, SharedShape shape, Easing easing = Easing::linear) {
+  static PoseKey key(int frame, SharedShape shape, Easing easing = Easing::constant_speed) {
     return {frame, std::make_shared<const WholePose>(WholePose{{}, {}, std::move(shape)}), easing};
   }
 };
@@ -123,9 +123,9 @@ TEST_CASE("keys_with_and_without_shapes_lead_by_logs_from_one_to_the_next") {
   CHECK(distance(*a.at(6).shape, *m.shape(85)) < 1e-12);
   CHECK(a.at(-3).shape == nullptr);
   CHECK(a.at(99).shape == nullptr);
-  const auto straight = a.at(6, true).shape;
-  for (std::size_t v = 0; v < straight->size(); ++v)
-    CHECK(mesh::norm((*straight)[v] - 0.5 * (m.model->positions[v] + (*turned)[v])) < 1e-15);
+  const auto linear = a.at(6, true).shape;
+  for (std::size_t v = 0; v < linear->size(); ++v)
+    CHECK(mesh::norm((*linear)[v] - 0.5 * (m.model->positions[v] + (*turned)[v])) < 1e-15);
   // The result does not depend on frames that were computed earlier.
   std::vector<WholePose> in_order;
   for (int frame = 1; frame <= 31; ++frame) in_order.push_back(a.at(frame));
@@ -181,7 +181,7 @@ TEST_CASE("shapes_move_beside_the_cage_and_are_taken_once") {
 TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
   const deform::ProbePose half{{0, 0, std::numbers::pi}, {2, 0, 0, 0, 0, 0}, {4, 0, 0}};
   Timeline t;
-  t.keys = {{1, test::whole({}, {}), Easing::linear}, {11, test::whole({}, {half})}};
+  t.keys = {{1, test::whole({}, {}), Easing::constant_speed}, {11, test::whole({}, {half})}};
   VectorCache none;
   none.follow(nullptr);
   const WholePose pose = Animation(t, none).at(6);

@@ -30,9 +30,8 @@ struct Shapes {
     return shared(turned(points, degrees));
   }
   static SharedShape shared(Points points) { return std::make_shared<const Points>(std::move(points)); }
-  Points mixed(std::vector<ShapeTerm> terms, bool straight = false,
-               std::vector<std::string>* notes = nullptr) {
-    return *document::mixed(space, terms, straight, pool, notes);
+  Points mixed(std::vector<ShapeTerm> terms, bool linear = false, std::vector<std::string>* notes = nullptr) {
+    return *document::mixed(space, terms, linear, pool, notes);
   }
 };
 

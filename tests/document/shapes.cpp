@@ -133,7 +133,7 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   REQUIRE(f.weigh(0, 0.5));
   CHECK(largest_distance(f.shape(), f.bent(quarter_turn / 2)) < 0.02);
   const Points half = f.shape();
-  REQUIRE(set_straight(f.document(), f.w.playback.vectors, true));
+  REQUIRE(set_linear(f.document(), f.w.playback.vectors, true));
   const Points rest = f.bar.positions, left = f.bent(quarter_turn);
   for (std::size_t v = 0; v < rest.size(); ++v)
     CHECK(mesh::norm(f.shape()[v] - 0.5 * (rest[v] + (*f.document().library.poses[0].pose->shape)[v])) <
@@ -141,7 +141,7 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   CHECK(largest_distance(f.shape(), half) > 0.2);
   undo(f.document());
   CHECK(f.shape() == half);
-  CHECK(!f.document().timeline.straight);
+  CHECK(!f.document().timeline.linear);
   REQUIRE(f.weigh(1, -0.5));
   CHECK(f.tip()[0] > BarFiles().bent(quarter_turn / 2)[66][0]);
   REQUIRE(f.weigh(0, -1.5));

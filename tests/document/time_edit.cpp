@@ -105,8 +105,8 @@ TEST_CASE("frames_without_keys_are_ignored_and_give_no_edit") {
   remove_keys(t.document, Frames{2, 11, 1});
   CHECK(t.frames() == Frames{31});
   CHECK(t.edits() == 1);
-  set_easing(t.document, Frames{31, 7}, Easing::linear);
-  CHECK(t.timeline().keys[0].easing == Easing::linear);
+  set_easing(t.document, Frames{31, 7}, Easing::constant_speed);
+  CHECK(t.timeline().keys[0].easing == Easing::constant_speed);
 }
 
 TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
@@ -118,7 +118,7 @@ TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
   CHECK(t.timeline().last == 6);
   CHECK(t.timeline().rate == Timeline::largest_rate);
   CHECK(t.timeline().repeat == Repeat::ping_pong);
-  CHECK(t.timeline().straight);
+  CHECK(t.timeline().linear);
   set_play(t.document, {1 << 30, 1 << 30, std::numeric_limits<double>::quiet_NaN(), Repeat::loop, false});
   CHECK(t.timeline().last == Timeline::largest_frame);
   CHECK(t.timeline().first < t.timeline().last);

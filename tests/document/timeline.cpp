@@ -32,7 +32,7 @@ struct EasedKeys {
 
 EasedKeys all_easings_in_turn() {
   EasedKeys n;
-  const Easing all[] = {Easing::smooth, Easing::smooth, Easing::linear,
+  const Easing all[] = {Easing::smooth, Easing::smooth, Easing::constant_speed,
                         Easing::smooth, Easing::hold,   Easing::smooth};
   int frame = -7;
   for (const Easing easing : all)
@@ -106,7 +106,7 @@ TEST_CASE("smooth_keys_flow_with_one_slope_at_uneven_times_and_rest_at_both_ends
 TEST_CASE("beside_a_linear_piece_a_smooth_one_has_its_slope_and_beside_a_hold_it_rests") {
   EasedKeys n;
   n.add(0, 0);
-  n.add(10, 1, Easing::linear);
+  n.add(10, 1, Easing::constant_speed);
   n.add(20, 4);
   n.add(30, 3, Easing::hold);
   n.add(40, 9);

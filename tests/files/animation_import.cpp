@@ -76,7 +76,7 @@ TEST_CASE("point_caches_of_the_cage_are_keys_at_every_frame") {
     const auto keys = m.keys(m / name);
     REQUIRE(keys.size() == 17);
     for (const PoseKey& key : keys) {
-      CHECK(key.easing == Easing::linear);
+      CHECK(key.easing == Easing::constant_speed);
       CHECK(farthest(key.pose->cage, m.pose(key.frame).cage) < 1e-5);
     }
     CHECK(keys.back().frame == 17);
@@ -139,7 +139,7 @@ TEST_CASE("stepped_weights_become_held_keys_and_cubic_weights_a_key_at_every_fra
   REQUIRE(cubic.size() == 13);
   for (const PoseKey& key : cubic) {
     const double u = (key.frame - 1) / 12.0;
-    CHECK(key.easing == Easing::linear);
+    CHECK(key.easing == Easing::constant_speed);
     CHECK(key.pose->cage.positions[0][1] - cage.positions[0][1] ==
           doctest::Approx(u * u * (3 - 2 * u)).epsilon(1e-6));
   }

@@ -226,7 +226,7 @@ TEST_CASE(
   CHECK(has_unsaved_edits(other_blend));
 
   asked = {};
-  asked.iterations = 2;
+  asked.arap = true, asked.iterations = 2;
   Workspace stitched;
   REQUIRE(test::open_now(stitched, {What::model, {files / "a.viete"}, asked}));
   CHECK(stitched.document.scheme.iterations == 2);
@@ -239,15 +239,15 @@ TEST_CASE(
 
 TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
   Document document;
-  put_settings(document, {{.turn = 0.5, .stretch = 2}});
+  put_settings(document, {{.rotation = 0.5, .stretch = 2}});
   CHECK(document.scheme.amounts == deform::Amounts{0.5, 2});
   put_settings(document, {{.stretch = 0}});
   CHECK(document.scheme.amounts == deform::Amounts{0.5, 0});
   try {
-    put_settings(document, {{.choice = {.weights = deform::Weights::mean_value}, .turn = 1}});
-    FAIL("points took a turn");
+    put_settings(document, {{.choice = {.weights = deform::Weights::mean_value}, .rotation = 1}});
+    FAIL("points took a rotation");
   } catch (const base::Error& error) {
-    CHECK(error.place() == "turn");
+    CHECK(error.place() == "rotation");
   }
   CHECK(document.scheme.amounts == deform::Amounts{0.5, 0});
 }

@@ -98,13 +98,13 @@ Workspace animated(const test::CubeFiles& files) {
   set_weight(w.document, w.playback.vectors, 1, -0.5);
   w.document.timeline = test::three_keys();
   Timeline& t = w.document.timeline;
-  t.keys[0].easing = Easing::linear;
+  t.keys[0].easing = Easing::constant_speed;
   t.keys[1].easing = Easing::hold;
   t.keys[1].pose = test::whole(test::turned_cube(540), {motion});
   t.keys[2].mix = {{"wide", -0.37}, {"with probe", 1.5}};
   t.unkeyed = {test::key(9, test::turned_cube(-30)), {3, test::whole(test::turned_cube(400), {motion})}};
   t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
-  t.first = -4, t.last = 90, t.rate = 29.97, t.repeat = Repeat::ping_pong, t.straight = true;
+  t.first = -4, t.last = 90, t.rate = 29.97, t.repeat = Repeat::ping_pong, t.linear = true;
   w.document.frame = 7.25;
   return w;
 }
@@ -176,7 +176,7 @@ std::string key_text(const std::string& frame, const std::string& more = "") {
 // Returns a valid probe, and a second probe with additional members.
 std::string probes(const std::string& members, const std::string& place = "[0, 0, 1]") {
   const std::string part = R"({"falloff": "smooth", "radius": 1})",
-                    good = "\"turn\": " + part + ", \"stretch\": " + part + ", \"move\": " + part +
+                    good = "\"rotation\": " + part + ", \"stretch\": " + part + ", \"move\": " + part +
                            ", \"place\": ";
   return "\"probes\": {\"all\": [{" + good + "[0, 0, 0]}, {" + good + place + members + "}]}";
 }
@@ -289,13 +289,13 @@ TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
       {R"("cage_content": "00")", "a.viete: cage_content: the text must have 16 hexadecimal digits"},
       {R"("method": "best")", "a.viete: method: unknown value \"best\""},
       {R"("blend": "srl", "weights": "mean-value")", "a.viete: blend: these weights and this blend"},
-      {R"("weights": "mean-value", "stitched": 1)",
-       "a.viete: stitched: these weights or this blend use the cage's vertices"},
+      {R"("weights": "mean-value", "iterations": 1)",
+       "a.viete: iterations: these weights or this blend use the cage's vertices"},
       {R"("radius": 0.01)", "a.viete: radius: the number 0.01 must be from "},
-      {R"("turn": 201)", "a.viete: turn: "},
+      {R"("rotation": 201)", "a.viete: rotation: "},
       {R"("stretch": -1)", "a.viete: stretch: "},
-      {R"("stitched": 21)", "a.viete: stitched: "},
-      {R"("pins": 101)", "a.viete: pins: "},
+      {R"("iterations": 21)", "a.viete: iterations: "},
+      {R"("attach": 101)", "a.viete: attach: "},
       {R"("hold": -1)", "a.viete: hold: "},
       {R"("camera": [])", "a.viete: camera: expected an object, found a list of length 0"},
       {R"("camera": {"target": [0, 1e308, 0]})", "camera.target[1]: the number 1e+308 must be from "},
@@ -324,7 +324,7 @@ TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
       {pose(turns + positions()), "a.viete: pose.turns: the pose is for 2 parts, the cage has 1 part"},
       {pose("\"turns\": [[0, 0, 1e9]], " + positions()), "a.viete: pose.turns[0]: this coordinate is too"},
       {probes("", "[0, 0]"), "probes.all[1].place: "},
-      {R"("probes": {"all": [{"place": [0, 0, 0]}]})", "probes.all[0]: the key \"turn\" is missing"},
+      {R"("probes": {"all": [{"place": [0, 0, 0]}]})", "probes.all[0]: the key \"rotation\" is missing"},
       {probes(", \"locked\": 3"), "probes.all[1].locked"},
       {probes(", \"turned\": [8e5, 8e5, 0]"), "probes.all[1]: the motion of this probe is too large"},
       {stretched("[1, 2, 3]"), "probes.all[1].stretched: expected a list of 6 numbers"},

@@ -109,7 +109,7 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   CHECK(file_bytes(files / "s_04.png") != file_bytes(files / "s_05.png"));
   CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid --turntable --force"),
                  "s_%02d.png' -vf "));
-  CHECK(files.animate("-o g_##.obj --straight").code == 0);
+  CHECK(files.animate("-o g_##.obj --linear").code == 0);
   CHECK(files.animate("-o h_##.obj").code == 0);
   CHECK(file_bytes(files / "g_09.obj") == file_bytes(files / "h_09.obj"));
   CHECK(file_bytes(files / "g_05.obj") != file_bytes(files / "h_05.obj"));

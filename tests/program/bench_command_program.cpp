@@ -73,7 +73,7 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
                                           [](const auto& mode) { return mode["weights"] == "mean-value"; });
   CHECK(double(mean_values["poses"][0]["volume"]) == doctest::Approx(2));
 
-  const auto stitched = run("bench modes --rounds 1 --stitched --iterations 2 " + files);
+  const auto stitched = run("bench modes --rounds 1 --arap --iterations 2 " + files);
   REQUIRE_MESSAGE(stitched.code == 0, stitched.text);
   for (deform::Scheme scheme : deform::valid_schemes()) {
     scheme.iterations = scheme.has_maps() ? 2 : 0;
@@ -98,6 +98,25 @@ TEST_CASE("a_program_without_benchmarks_explains_how_to_install_them") {
   CHECK(outcome.code == 1);
   CHECK(mentions(outcome, "viete: " + (scratch / "viete-bench").string() + ": No such file"));
   CHECK(mentions(outcome, "setup.sh bench"));
+}
+
+TEST_CASE("a_build_folder_without_benchmarks_builds_them_on_first_use") {
+  const TemporaryFolder scratch;
+  fs::copy_file(build_dir() / "viete", scratch / "viete");
+  put_file(scratch / "CMakeCache.txt", "");
+  fs::create_directory(scratch / "bin");
+  put_file(scratch / "bin" / "cmake",
+           "#!/bin/sh\n[ \"$1 $3 $4\" = '--build --target viete-bench' ] || exit 1\n"
+           "printf '#!/bin/sh\\necho ran \"$@\"' >\"$2/viete-bench\"\n"
+           "chmod +x \"$2/viete-bench\"\necho compiled\n");
+  fs::permissions(scratch / "bin" / "cmake", fs::perms::owner_all);
+  const std::string path = "PATH=" + (scratch / "bin").string() + ":\"$PATH\"";
+  const auto first = run_of(scratch.path(), "bench exp --count 7", path);
+  CHECK_MESSAGE(first.text ==
+                    "viete: building the benchmarks before their first use\ncompiled\n"
+                    "ran exp --count 7\n",
+                first.text);
+  CHECK(run_of(scratch.path(), "report -o x", path).text == "ran report -o x\n");
 }
 
 TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {

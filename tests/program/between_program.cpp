@@ -48,7 +48,7 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
   f.write("half.obj", f.shape(180)), f.write("less.obj", f.shape(178));
   CHECK(f.done("between rest.obj less.obj -o m.ply --at 0.5").text == "");
   CHECK(distance(f.read("m.ply"), f.shape(89)) < 1e-6);
-  f.done("between rest.obj half.obj -o m.ply --at 0.5 --straight");
+  f.done("between rest.obj half.obj -o m.ply --at 0.5 --linear");
   for (const auto& p : f.read("m.ply")) CHECK(std::hypot(p[0], p[1]) < 1e-6);
   f.done("between rest.obj a.obj --rest half.obj -o m.ply --at 0.25");
   CHECK(distance(f.read("m.ply"), f.shape(25)) < 1e-6);
@@ -56,7 +56,7 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
 
 TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
   const ShapeFiles f;
-  for (const char* way : {"", " --straight", " --linear", " --rest b.obj"}) {
+  for (const char* way : {"", " --linear", " --constant-speed", " --rest b.obj"}) {
     CAPTURE(way);
     int at = 0;
     for (const char* name : {"rest.obj", "a.obj", "b.obj"}) {
@@ -90,9 +90,9 @@ TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes
   f.done("between rest.obj c.glb -o m.obj --at 1");
   CHECK(distance(f.read("m.obj"), f.cube.positions) > 1e-3);
   f.done("between s_#.obj -o smooth.pc2 --frames 9");
-  f.done("between s_#.obj -o linear.pc2 --frames 9 --linear");
+  f.done("between s_#.obj -o even.pc2 --frames 9 --constant-speed");
   CHECK(file_bytes(f / "smooth.pc2") == file_bytes(f / "c.pc2"));
-  CHECK(file_bytes(f / "smooth.pc2") != file_bytes(f / "linear.pc2"));
+  CHECK(file_bytes(f / "smooth.pc2") != file_bytes(f / "even.pc2"));
 }
 
 TEST_CASE("attributes_of_the_model_are_kept_between_shapes") {
@@ -107,7 +107,7 @@ TEST_CASE("attributes_of_the_model_are_kept_between_shapes") {
   put_file(f / "lifted.obj", lifted + end);
   f.done("between quad.obj lifted.obj -o m.obj --at 0");
   CHECK(file_bytes(f / "m.obj") == file_bytes(f / "quad.obj"));
-  f.done("mix quad.obj --shape lifted.obj=0.5 -o m.obj --straight");
+  f.done("mix quad.obj --shape lifted.obj=0.5 -o m.obj --linear");
   lifted.replace(lifted.find("v 1 1 4"), 7, "v 1 1 2");
   CHECK(file_bytes(f / "m.obj") == lifted + end);
 }
@@ -252,7 +252,7 @@ TEST_CASE("a_session_with_shapes_is_deformed_animated_and_drawn_as_the_window_ha
   CHECK(f.read("k_01.obj") == f.cube.positions);
   CHECK(distance(f.read("k_06.obj"), f.shape(50)) < 1e-5);
   CHECK(distance(f.read("k_11.obj"), f.shape(100)) < 1e-5);
-  f.done("animate keyed.viete -o 's_##.obj' --frames 6-6 --straight");
+  f.done("animate keyed.viete -o 's_##.obj' --frames 6-6 --linear");
   CHECK(distance(f.read("s_06.obj"), f.shape(50)) > 0.05);
   f.done("render mixed.viete --size 200x150 -o mixed.png");
   f.done("render rest.obj --size 200x150 -o rest.png");

@@ -173,7 +173,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(large.width == 1280);
   CHECK(large.height == 640);
   CHECK(large.pixel(5, 5) != large.pixel(640, 320));
-  CHECK(difference(plain, picture("--map turn"), 12) > 0.02);
+  CHECK(difference(plain, picture("--map rotation"), 12) > 0.02);
   CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
   CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
   // The corner is transparent, the middle is opaque, and edges are between transparent and opaque.
@@ -224,7 +224,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   };
   const auto usual = deformed(""), published = deformed(" --deformer paper"),
              mean_values = deformed(" --deformer mean-value"), linear = deformed(" --blend linear"),
-             stitched = deformed(" --stitched");
+             stitched = deformed(" --arap");
   for (const auto* other : {&published, &mean_values, &linear, &stitched}) CHECK(*other != usual);
   CHECK(linear != mean_values);
   CHECK(deformed(" --weights biharmonic --blend srl") == usual);
@@ -233,9 +233,9 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   CHECK(deformed(" --weights mean-value") == mean_values);
   CHECK(deformed(" --weights mean-value --blend linear") == mean_values);
   CHECK(deformed(" --blend linear --method diag") == linear);  // linear blending uses no matrix method
-  CHECK(deformed(" --stitched --iterations 1 --pins 0 --hold 0") == stitched);
-  for (const char* more : {" --iterations 2", " --pins 10", " --hold 100"})
-    CHECK(deformed(std::string(" --stitched") + more) != stitched);
+  CHECK(deformed(" --arap --iterations 1 --attach 0 --hold 0") == stitched);
+  for (const char* more : {" --iterations 2", " --attach 10", " --hold 100"})
+    CHECK(deformed(std::string(" --arap") + more) != stitched);
   f.refused(posed + " -o x.ply --blend srl --weights mean-value", 1,
             "cannot be combined: mean value weights need the linear blend");
   f.refused(posed + " -o x.ply --deformer mean-value --blend srl", 2, "excludes");

@@ -153,8 +153,8 @@ public:
   }
   /// Unfolds the custom settings of the deformer if they contain `widget`. Returns true if `widget` exists.
   bool unfold_custom(const std::string& widget) {
-    static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
-                                                "pins",    "hold",  "formula"};
+    static const std::set<std::string> parts = {"weights", "blend", "toggle_arap", "iterations",
+                                                "attach",  "hold",  "formula"};
     const auto& recorder = viewer().recorder();
     if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom deformer")) {
       workspace().preferences.layout.sections["Custom deformer"] = true;

@@ -275,7 +275,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   CHECK(apart(d, straight, first) > 0.02);
   // The second view equals the first view with linear blending.
   workspace::enter_view(d.workspace(), 0);
-  workspace::find_command("toggle_straight")->run(d.workspace());
+  workspace::find_command("toggle_linear")->run(d.workspace());
   d.settle();
   CHECK(apart(d, straight, d.viewer().deformer()->positions()) < 1e-5);
 }

@@ -21,8 +21,8 @@ const char* const tools[] = {"tool_select", "tool_move",    "tool_rotate",  "too
 const char* const commands_of_time[] = {"first_frame",    "previous_key",    "play",
                                         "next_key",       "last_frame",      "set_key",
                                         "set_camera_key", "toggle_auto_key", "save_animation"};
-const char* const fields_of_time[] = {"time/frame",  "time/first",     "time/last",     "time/rate",
-                                      "time/repeat", "time/log_space", "time/straight", "time/easing"};
+const char* const fields_of_time[] = {"time/frame",  "time/first",     "time/last",   "time/rate",
+                                      "time/repeat", "time/log_space", "time/linear", "time/easing"};
 
 bool is_inside(Driver& d, const std::string& widget) {
   const auto rect = d.viewer().recorder().find(widget);
@@ -90,6 +90,6 @@ TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
   CHECK(d.document().probes.all.size() == 1);
   pick("time/more", "menu/toggle_auto_key");
   CHECK(d.workspace().playback.auto_key);
-  pick("time/more_of_range", "time/straight");
-  CHECK(d.document().timeline.straight);
+  pick("time/more_of_range", "time/linear");
+  CHECK(d.document().timeline.linear);
 }

@@ -151,8 +151,8 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   CHECK(d.document().frame == 12);
   const auto halfway = d.pose();
   CHECK(halfway != rest);
-  d.choose("time/easing", "time/easing_linear");
-  CHECK(d.timeline().keys[0].easing == Easing::linear);
+  d.choose("time/easing", "time/easing_constant_speed");
+  CHECK(d.timeline().keys[0].easing == Easing::constant_speed);
   CHECK(d.pose() != halfway);
   d.press_key(workspace::Key::left, false, true);
   CHECK(d.document().frame == 1);

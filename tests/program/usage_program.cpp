@@ -11,8 +11,8 @@ using namespace viete::test;
 
 namespace {
 
-const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",
-                                           "pose", "cage",   "info",   "bench",   "report"},
+const std::vector<std::string> commands = {"view", "render", "deform", "animate", "between", "mix",
+                                           "pose", "cage",   "info",   "manual",  "bench",   "report"},
                                benches = {"exp", "eigen", "accuracy", "sym3", "frame", "bind", "modes"};
 
 void check_width(const Outcome& help) {
@@ -49,6 +49,8 @@ TEST_CASE("help_of_every_command_is_there_and_fits_eighty_columns") {
   CHECK(choices.code == 0);
   check_width(choices);
   CHECK(mentions(choices, "\n  mls-rigid "));
+  CHECK_FALSE(mentions(choices, " map "));  // only colours are maps here
+  CHECK(mentions(top, "viete manual glossary"));
   CHECK(mentions(run("render --help"), "-o, --output FILE"));
   CHECK(mentions(run("render --help"), "Device pixels per logical pixel, 0.5 to 4 (default: 1)"));
 }
@@ -111,7 +113,7 @@ TEST_CASE("every_number_has_a_range_without_nan_and_infinity_and_says_it_in_shor
       {"render " + in_cage + " -o x.png --scale ", "needs a number from 0.5 to 4, not "},
       {"view --frames ", "needs a whole number from 0 to 1,000,000,000, not "},
       {posed + " -o x.ply --radius ", "needs a number from 0.1 to 1000, not "},
-      {posed + " -o x.ply --turn ", "needs a number from 0 to 200, not "},
+      {posed + " -o x.ply --rotation ", "needs a number from 0 to 200, not "},
       {"bench exp --count ", "needs a whole number from 1 to 1,000,000,000, not "},
       {"bench accuracy --count ", "needs a whole number from 1 to 1,000,000, not "},
       {"bench frame --faces ", "needs a whole number from 8 to 10,000, not "},

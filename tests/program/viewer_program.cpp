@@ -168,7 +168,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   d.settle();
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
   CHECK_FALSE(is_enabled("method_diag"));
-  CHECK_FALSE(is_enabled("turn"));
+  CHECK_FALSE(is_enabled("rotation"));
   CHECK(largest_distance(positions(d), rest_of(d)) < 1e-6 * diagonal(d));
   d.choose("blend", "blend_srl");
   d.settle();

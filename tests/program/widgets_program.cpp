@@ -73,12 +73,12 @@ TEST_CASE("esc_cancels_any_slider_or_handle") {
   document::undo(d.document());
   REQUIRE(d.document().history.can_redo());
   const glm::vec2 right{31, 0};
-  for (const char* slider : {"turn", "stretch", "pose_weight/0", "soft_radius"})
+  for (const char* slider : {"rotation", "stretch", "pose_weight/0", "soft_radius"})
     d.check_called_off(slider, right);
   d.check_called_off("edge/methods", {-40, 0});
   d.check_called_off("edge/tools", {40, 0});
-  d.run("toggle_stitched");
-  for (const char* slider : {"iterations", "pins", "hold"}) d.check_called_off(slider, right);
+  d.run("toggle_arap");
+  for (const char* slider : {"iterations", "attach", "hold"}) d.check_called_off(slider, right);
   d.run("tool_paint");
   for (const char* slider : {"brush_radius", "brush_share"}) d.check_called_off(slider, -right);
   d.run("tool_move");
@@ -134,13 +134,13 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     double expected;
     bool twice = true;
   } cases[] = {
-      {"", "turn", "33", [&] { return scheme.amounts.turn; }, 0.33},
+      {"", "rotation", "33", [&] { return scheme.amounts.rotation; }, 0.33},
       {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
       {"", "pose_weight/0", "12.5", pose_weight, 0.125},
       {"", "pose_weight/0", "999", pose_weight, document::PoseLibrary::largest_weight, false},
       {"", "soft_radius", "0.5", [&] { return w.view.handling.soft.radius; }, 0.5 / diagonal},
-      {"toggle_stitched", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
-      {"", "pins", "4", [&] { return scheme.holding.radius; }, 0.04},
+      {"toggle_arap", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
+      {"", "attach", "4", [&] { return scheme.holding.radius; }, 0.04},
       {"", "hold", "500", [&] { return scheme.holding.weight; }, 1},
       {"tool_paint", "brush_radius", "77", [&] { return double(w.view.brush.radius); }, 77},
       {"", "brush_share", "35", [&] { return double(w.view.brush.share); }, 0.35, false}};
@@ -156,15 +156,15 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
 
   // Esc keeps the old number. After that, a click moves the slider.
   const auto before = state(d.workspace());
-  begin("turn", true);
+  begin("rotation", true);
   d.type("150");
   d.press_key(workspace::Key::escape);
   d.frame(3);
   CHECK(state(d.workspace()) == before);
   CHECK(d.workspace().panels.typed_slider.name.empty());
   d.frame(30);
-  d.click("turn");
-  CHECK(scheme.amounts.turn == doctest::Approx(1));
+  d.click("rotation");
+  CHECK(scheme.amounts.rotation == doctest::Approx(1));
 }
 
 TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
@@ -314,7 +314,8 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
     d.frame(3);
     const auto& recorder = d.viewer().recorder();
     std::vector<std::string> always{"method_diag", "method_sd", "method_improved_sd", "method_fast"};
-    if (scale == 1) always.insert(always.end(), {"timings/Diag", "timings/Fast", "errors", "way", "turn"});
+    if (scale == 1)
+      always.insert(always.end(), {"timings/Diag", "timings/Fast", "errors", "way", "rotation"});
     for (const std::string& widget : always) {
       CAPTURE(widget);
       REQUIRE(recorder.find(widget));

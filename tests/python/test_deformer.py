@@ -56,9 +56,9 @@ class Dragon(WithFolder):
         return viete.Deformer(self.dragon.vertices, self.dragon.faces, self.cage.vertices, self.cage.faces, **words)
 
     def test_it_has_the_bits_of_the_command_line(self):
-        for words, options in [({}, []), ({"way": "mean-value"}, ["--deformer", "mean-value"]),
-                               ({"way": "paper", "method": "improved_sd", "turn": 0.5},
-                                ["--deformer", "paper", "--method", "improved_sd", "--turn", "50"])]:
+        for words, options in [({}, []), ({"deformer": "mean-value"}, ["--deformer", "mean-value"]),
+                               ({"deformer": "paper", "method": "improved_sd", "rotation": 0.5},
+                                ["--deformer", "paper", "--method", "improved_sd", "--rotation", "50"])]:
             out = self.folder / "out.ply"
             run("deform", ASSETS / "dragon.ply", ASSETS / "cage.obj", "--pose", ASSETS / "pose_alert.obj", *options,
                 "-o", out, "--force")
@@ -81,7 +81,7 @@ class Dragon(WithFolder):
         noise = 0.03 * size(rest) * np.random.default_rng(1).normal(size=rest.shape)
         poses = [self.pose, viete.read(ASSETS / "pose_coil.obj").vertices, rest + noise, 3 * rest]
         for way in ("smooth", "paper", "mean-value", "rigid", "arap", "local"):
-            exact, fast = self.bound(way=way), self.bound(way=way, dtype="float32")
+            exact, fast = self.bound(deformer=way), self.bound(deformer=way, dtype="float32")
             for i, pose in enumerate(poses):
                 with self.subTest(way=way, pose=i):
                     error = np.linalg.norm(fast.deform(pose) - exact.deform(pose), axis=1).max()
@@ -211,7 +211,7 @@ class Arrays(WithFolder):
         for way in ("smooth", "paper", "mean-value", "rigid", "arap"):
             for dtype in ("float64", "float32"):
                 with self.subTest((way, dtype)):
-                    moved = self.bound(way=way, dtype=dtype).deform(turned(CUBE, 0.7) + 1)
+                    moved = self.bound(deformer=way, dtype=dtype).deform(turned(CUBE, 0.7) + 1)
                     self.assertLess(np.abs(moved - (turned(self.model, 0.7) + 1)).max(), 1e-5)
 
     def test_wrong_arrays_are_rejected(self):
@@ -239,8 +239,8 @@ class Arrays(WithFolder):
             (lambda: viete.Deformer(self.model, [[0, 1, -1]], CUBE, CUBE_FACES), ValueError, "start at 0"),
             (lambda: viete.Deformer(self.model, [[0, 1]], CUBE, CUBE_FACES), viete.Error, "fewer than three"),
             (lambda: viete.Deformer(self.model, [[0.5, 1, 2]], CUBE, CUBE_FACES), TypeError, "must be integers"),
-            (lambda: self.bound(way="smoth"), viete.Error, "choose one of smooth"),
-            (lambda: self.bound(way="smooth", turn=3), viete.Error, "turn"),
+            (lambda: self.bound(deformer="smoth"), viete.Error, "choose one of smooth"),
+            (lambda: self.bound(deformer="smooth", rotation=3), viete.Error, "rotation"),
             (lambda: self.bound(method="fats"), viete.Error, "improved_sd"),
             (lambda: self.bound(dtype="int32"), TypeError, "dtype"),
             (lambda: viete.read(self.folder / "none.obj"), viete.Error, "none.obj"),
@@ -260,8 +260,8 @@ class Arrays(WithFolder):
             (lambda: viete.Deformer(self.model * 1e-200, self.faces, CUBE, CUBE_FACES), viete.Error, "1e-60 or more"),
             (lambda: viete.Deformer(self.model, self.faces, CUBE * 1e80, CUBE_FACES), viete.Error, "the cage: it has a coordinate of size 1e"),
             (lambda: viete.ShapeSpace(self.model, self.faces, [self.model * 3]).mix([1000]), viete.Error, "nearer to 0"),
-            (lambda: self.bound(radius=100, way="local"), viete.Error, "choose 0.001 to 10"),
-            (lambda: self.bound(way="smooth", radius=0.2), viete.Error, "choose the weights cutoff"),
+            (lambda: self.bound(radius=100, deformer="local"), viete.Error, "choose 0.001 to 10"),
+            (lambda: self.bound(deformer="smooth", radius=0.2), viete.Error, "choose the weights cutoff"),
             (lambda: self.bound(threads=100000), viete.Error, "choose 0 to 1024"),
             (lambda: viete.make_cage(self.model, self.faces, margin=0), viete.Error, "choose 0.0005 to 0.2"),
             (lambda: viete.make_cage(self.model, self.faces, triangles=-5), ValueError, "12 to 20000"),
@@ -309,7 +309,7 @@ class Arrays(WithFolder):
     def test_keeps_turns_accumulates_rotations(self):
         space = viete.PoseSpace(CUBE, CUBE_FACES, [CUBE, turned(CUBE, 2.5)])
         self.assertLess(np.abs(space.between(0.5) - turned(CUBE, 1.25)).max(), 1e-9)
-        self.assertLess(np.abs(space.between(0.5, straight=True) - 0.5 * (CUBE + turned(CUBE, 2.5))).max(), 1e-12)
+        self.assertLess(np.abs(space.between(0.5, linear=True) - 0.5 * (CUBE + turned(CUBE, 2.5))).max(), 1e-12)
         self.assertTrue(np.array_equal(space.mix([0, 1]), turned(CUBE, 2.5)))
         shapes = viete.ShapeSpace(self.model, self.faces, [turned(self.model, 1.0)])
         self.assertLess(np.abs(shapes.mix([2]) - turned(self.model, 2.0)).max(), 1e-6)
@@ -342,7 +342,7 @@ class Arrays(WithFolder):
         self.assertEqual([list(f) for f in again], mixed)
 
     def test_threads_work_in_parallel(self):
-        deformers = (self.bound(), self.bound(way="paper"))
+        deformers = (self.bound(), self.bound(deformer="paper"))
         expected = [d.deform(self.pose) for d in deformers]
         with concurrent.futures.ThreadPoolExecutor(3) as pool:
             for i, answer in enumerate(pool.map(lambda i: deformers[i % 2].deform(self.pose), range(150))):

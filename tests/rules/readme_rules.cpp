@@ -58,9 +58,32 @@ TEST_CASE("no_sentence_of_the_readme_has_more_than_30_words") {
   for (const std::string& sentence : sentences_of(readme)) CHECK_MESSAGE(words_in(sentence) <= 30, sentence);
 }
 
+TEST_CASE("the_first_picture_of_the_readme_moves_and_loads_quickly") {
+  const std::string readme = text_of("README.md");
+  const auto name = readme.find("](assets/pictures/") + 2, end = readme.find(')', name);
+  const std::string picture = text_of(readme.substr(name, end - name).c_str());
+  CHECK(picture.size() <= 1'500'000);
+  CHECK(picture.starts_with("RIFF"));
+  CHECK(picture.find("ANMF") != picture.npos);  // an animation frame of a WebP file
+}
+
+TEST_CASE("the_glossary_has_the_terms_of_the_manual_and_map_means_colours") {
+  const std::string glossary = text_of("assets/manual/glossary.md");
+  for (const char* term :
+       {"cage", "map", "log space", "SRL", "method", "deformer", "stage", "frame", "pin", "shape"})
+    CHECK_MESSAGE(glossary.find("\n|" + std::string(term) + "|") != glossary.npos, term);
+  for (const auto& entry : std::filesystem::directory_iterator(viete::test::source_dir() / "assets/manual")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(".md")) continue;
+    const std::string text = text_of(("assets/manual/" + name).c_str());
+    for (const char* other : {"affine map", "cage's map", "blended map"})
+      CHECK_MESSAGE(text.find(other) == text.npos, name << " calls a transformation a map");
+  }
+}
+
 TEST_CASE("no_sentence_of_the_manual_is_long") {
-  for (const char* chapter :
-       {"README", "window", "cages", "blending", "time", "shapes", "files", "command_line", "figures"}) {
+  for (const char* chapter : {"README", "window", "cages", "blending", "time", "shapes", "files",
+                              "command_line", "figures", "glossary"}) {
     const std::string text = text_of(("assets/manual/" + std::string(chapter) + ".md").c_str());
     for (const std::string& sentence : sentences_of(text)) CHECK_MESSAGE(words_in(sentence) <= 36, sentence);
   }
@@ -104,6 +127,10 @@ TEST_CASE("the_readme_of_a_room_names_its_headers_and_no_others") {
   for (const auto& [name, rules] : viete::rules::rooms()) {
     const fs::path folder = viete::test::source_dir() / "src" / name;
     const std::string readme = text_of(("src/" + name + "/README.md").c_str());
+    std::istringstream lines(readme);
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("- **"))  // one line per term
+        CHECK_MESSAGE(line.find("**", line.find("**:") + 2) == line.npos, name << "/README.md: " << line);
     std::set<std::string> spoken_of;
     for (std::sregex_iterator at(readme.begin(), readme.end(), named), end; at != end; ++at)
       spoken_of.insert((*at)[1]);

@@ -137,7 +137,7 @@ TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
 TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a_row_are_one") {
   Workspace w = test::cube_workspace();
   const Revisions before = w.document.revisions();
-  CHECK(test::run_command(w, "toggle_stitched"));
+  CHECK(test::run_command(w, "toggle_arap"));
   CHECK(w.document.scheme.iterations == 1);
   CHECK(w.document.revisions().method > before.method);
   CHECK(w.document.revisions().weights == before.weights);
@@ -152,14 +152,14 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK(w.document.scheme.iterations == 7);
   CHECK(test::run_command(w, "weights_mean_value"));  // these weights do not support stitching
   CHECK_FALSE(w.document.scheme.stitched());
-  CHECK_FALSE(test::run_command(w, "toggle_stitched"));
+  CHECK_FALSE(test::run_command(w, "toggle_arap"));
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme.iterations == 7);
   // Consecutive changes of the constraints form one edit. While stitching is off, the constraints are kept.
   const auto edits = test::edit_count(w.document.history);
   for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
   CHECK(test::edit_count(w.document.history) == edits + 1);
-  CHECK(test::run_command(w, "toggle_stitched"));
+  CHECK(test::run_command(w, "toggle_arap"));
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK(w.document.scheme.holding.radius == 0.1);
 }

@@ -30,7 +30,7 @@ struct Played {
     timeline() = test::three_keys();
     timeline().rate = 10;
     w.preferences.layout.timeline = true;
-    for (PoseKey& key : timeline().keys) key.easing = Easing::linear;
+    for (PoseKey& key : timeline().keys) key.easing = Easing::constant_speed;
     follow_time(w, 0);
   }
   Document& document() { return w.document; }
@@ -235,7 +235,7 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   weights_are(0.4, 0.2);
   apply_pose(p.w, 1);
   REQUIRE(test::run_command(p.w, "set_key"));
-  for (PoseKey& key : p.timeline().keys) key.easing = Easing::linear;
+  for (PoseKey& key : p.timeline().keys) key.easing = Easing::constant_speed;
   p.pass(0);
   weights_are(0, 1);
   p.go_to(6);

@@ -37,8 +37,8 @@ def corners_of(mesh):
     return [corners[s:s + n] for s, n in zip(starts, totals)]
 
 
-def by_module(vertices, faces, cage, cage_faces, way, stitched, mask):
-    deformer = viete.Deformer(vertices, faces, cage, cage_faces, way, stitched=3 if stitched else None, dtype="float32")
+def by_module(vertices, faces, cage, cage_faces, way, arap, mask):
+    deformer = viete.Deformer(vertices, faces, cage, cage_faces, way, arap=arap, iterations=3 if arap else None, dtype="float32")
     deformer.keeps_turns = True
     deformer.set_mask(mask)
     return deformer
@@ -47,14 +47,14 @@ def by_module(vertices, faces, cage, cage_faces, way, stitched, mask):
 class ByProgram:
     """Deforms with the child process `viete deform --stream`, through pipes."""
 
-    def __init__(self, vertices, faces, cage, cage_faces, way, stitched, mask):
+    def __init__(self, vertices, faces, cage, cage_faces, way, arap, mask):
         self.folder = tempfile.TemporaryDirectory(prefix="viete-")
         place = pathlib.Path(self.folder.name)
         write_obj(place / "model.obj", vertices, faces)
         write_obj(place / "cage.obj", cage, cage_faces)
         words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--deformer", way]
-        if stitched:
-            words += ["--stitched", "--iterations", "3"]
+        if arap:
+            words += ["--arap", "--iterations", "3"]
         if mask is not None:
             (place / "mask.txt").write_text("\n".join("%.9g" % share for share in mask))
             words += ["--mask", "mask.txt"]

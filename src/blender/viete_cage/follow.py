@@ -71,13 +71,13 @@ def deformer_of(obj):
     settings, rest, mask = obj.viete, rest_of(obj), mask_of(obj)
     cage_rest = np.frombuffer(obj[REST], np.float64).reshape(-1, 3)
     faces, cage_faces = engine.corners_of(obj.data), engine.corners_of(settings.cage.data)
-    content = hash((rest.tobytes(), bytes_of(faces), cage_rest.tobytes(), bytes_of(cage_faces), settings.way, settings.stitched,
+    content = hash((rest.tobytes(), bytes_of(faces), cage_rest.tobytes(), bytes_of(cage_faces), settings.deformer, settings.arap,
                     None if mask is None else mask.tobytes()))
     if content not in deformers:
         for old in list(deformers)[:-MOST_KEPT]:
             if deformers[old] not in current.values():
                 del deformers[old]
-        deformers[content] = engine.make(rest, faces, cage_rest, cage_faces, settings.way, settings.stitched, mask)
+        deformers[content] = engine.make(rest, faces, cage_rest, cage_faces, settings.deformer, settings.arap, mask)
     current[obj.name] = deformers[content]
     return deformers[content]
 

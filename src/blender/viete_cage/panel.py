@@ -26,8 +26,8 @@ class VIETE_PT_cage(bpy.types.Panel):
         if not settings.cage:
             fields.prop(settings, "triangles")
             fields.operator("viete.make_cage")
-        fields.prop(settings, "way")
-        fields.prop(settings, "stitched")
+        fields.prop(settings, "deformer")
+        fields.prop(settings, "arap")
         fields.prop_search(settings, "mask", context.object, "vertex_groups")
         layout.operator("viete.unbind" if settings.bound else "viete.bind")
         if settings.problem:

@@ -17,8 +17,8 @@ def is_mesh(_settings, candidate):
 
 class VieteSettings(bpy.types.PropertyGroup):
     cage: bpy.props.PointerProperty(name="Cage", type=bpy.types.Object, poll=is_mesh, description="Mesh that deforms this object")
-    way: bpy.props.EnumProperty(name="Deformer", items=WAYS, default="smooth", description="How the cage deforms the object")
-    stitched: bpy.props.BoolProperty(name="Stitched", description="Optimise vertices so that triangles keep their shape")
+    deformer: bpy.props.EnumProperty(name="Deformer", items=WAYS, default="smooth", description="How the cage deforms the object")
+    arap: bpy.props.BoolProperty(name="ARAP", description="Solve for a mesh that is as rigid as possible")
     mask: bpy.props.StringProperty(name="Mask", description="Vertex group whose weights scale the motion of vertices. Leave empty for full motion")
     triangles: bpy.props.IntProperty(name="Triangles", default=200, min=12, max=20000, description="Approximate number of triangles of a new cage")
     bound: bpy.props.BoolProperty(name="Bound")

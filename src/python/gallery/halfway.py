@@ -1,4 +1,4 @@
-"""Interpolates halfway between two shapes. Compares edge lengths in log space and along straight lines."""
+"""Interpolates halfway between two shapes. Compares edge lengths in log space and with linear interpolation."""
 import numpy as np
 import viete
 
@@ -14,6 +14,6 @@ def lengths(vertices):
 
 
 expected = np.sqrt(lengths(dragon.vertices) * lengths(coiled))
-for straight in (False, True):
-    off = np.abs(np.log(lengths(space.between(0.5, straight)) / expected))
-    print("%s: edge lengths are wrong by a factor of %.3f" % ("straight lines" if straight else "log space", np.exp(np.mean(off))))
+for linear in (False, True):
+    off = np.abs(np.log(lengths(space.between(0.5, linear)) / expected))
+    print("%s: edge lengths are wrong by a factor of %.3f" % ("linear" if linear else "log space", np.exp(np.mean(off))))

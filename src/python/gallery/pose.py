@@ -4,7 +4,7 @@ import viete
 
 folder = "assets/dragon/"
 dragon, cage = viete.read(folder + "dragon.ply"), viete.read(folder + "cage.obj")
-deformer = viete.Deformer(dragon.vertices, dragon.faces, cage.vertices, cage.faces, way="smooth")
+deformer = viete.Deformer(dragon.vertices, dragon.faces, cage.vertices, cage.faces, deformer="smooth")
 alert = deformer.deform(viete.read(folder + "pose_alert.obj").vertices)
 viete.write("alert.ply", dragon, vertices=alert)
 

@@ -9,7 +9,7 @@ Array = npt.NDArray[Any]
 ArrayLike = npt.ArrayLike
 Faces = npt.ArrayLike | Sequence[Sequence[int]] | Sequence[Array]
 Path = str | os.PathLike[str]
-Way = Literal["smooth", "paper", "mean-value", "rigid", "arap", "local"]
+DeformerName = Literal["smooth", "paper", "mean-value", "rigid", "arap", "local"]
 Method = Literal["fast", "diag", "sd", "improved_sd"]
 
 __version__: str
@@ -80,15 +80,16 @@ class Deformer:
         faces: Faces,
         cage_vertices: ArrayLike,
         cage_faces: Faces,
-        way: Way = "smooth",
+        deformer: DeformerName = "smooth",
         *,
         weights: str = "",
         blend: str = "",
         radius: float | None = None,
-        turn: float | None = None,
+        rotation: float | None = None,
         stretch: float | None = None,
-        stitched: int | None = None,
-        pins: float | None = None,
+        arap: bool = False,
+        iterations: int | None = None,
+        attach: float | None = None,
         hold: float | None = None,
         method: Method = "fast",
         threads: int = 0,
@@ -107,7 +108,7 @@ class Deformer:
 class ShapeSpace:
     def __init__(self, vertices: ArrayLike, faces: Faces, shapes: Sequence[ArrayLike], threads: int = 0) -> None: ...
     def mix(self, weights: Sequence[float]) -> npt.NDArray[np.float64]: ...
-    def between(self, at: float, straight: bool = False) -> npt.NDArray[np.float64]: ...
+    def between(self, at: float, linear: bool = False) -> npt.NDArray[np.float64]: ...
     def pose(
         self, vertices: Sequence[int], places: ArrayLike, firmness: float = ..., freedom: float = 0.3
     ) -> tuple[npt.NDArray[np.float64], list[float]]: ...
@@ -115,7 +116,7 @@ class ShapeSpace:
 class PoseSpace:
     def __init__(self, cage_vertices: ArrayLike, cage_faces: Faces, poses: Sequence[ArrayLike]) -> None: ...
     def mix(self, weights: Sequence[float]) -> npt.NDArray[np.float64]: ...
-    def between(self, at: float, straight: bool = False) -> npt.NDArray[np.float64]: ...
+    def between(self, at: float, linear: bool = False) -> npt.NDArray[np.float64]: ...
 
 class Session:
     def __init__(self, path: Path) -> None: ...
