@@ -135,7 +135,7 @@ bool is_about_its_middle(const Polygons& cage, const Polygon& p) {
   for (const Point& at : fan) sum = sum + at;
   fan.push_back(fan.front());
   fan.insert(fan.begin(), (1 / static_cast<double>(p.size())) * sum);
-  return mesh::is_fan(fan);
+  return mesh::covers(fan);
 }
 
 Vec3 area_of(const Polygons& cage, const Polygon& p) {

@@ -48,7 +48,7 @@ void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, cons
     std::iota(all.begin(), all.end(), 0u);
     add(found, Defect::inside_out, subject, ElementKind::face, std::move(all));
   }
-  add(found, Defect::degenerate, subject, ElementKind::face, faces_of(surface, summary.degenerate_triangles));
+  add(found, Defect::degenerate, subject, ElementKind::face, summary.degenerate_polygons);
 }
 
 struct Words {

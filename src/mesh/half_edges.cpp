@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "mesh/triangle.h"
-
 namespace viete::mesh {
 
 namespace {
@@ -65,13 +63,8 @@ std::vector<Edge> polygon_edges(const Surface& surface) {
   std::vector<Edge> edges;
   edges.reserve(surface.corners.size() / 2);
   const auto for_each_side = [&](const auto& add) {
-    for (std::uint32_t p = 0; p < surface.polygon_count(); ++p) {
-      const auto begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
-      for (auto i = begin; i < end; ++i) {
-        const auto a = surface.corners[i], b = surface.corners[i + 1 < end ? i + 1 : begin];
-        if (a != b) add(a, b, p);
-      }
-    }
+    for (std::uint32_t p = 0; p < surface.polygon_count(); ++p)
+      for_polygon_sides(surface, p, [&](std::uint32_t a, std::uint32_t b) { add(a, b, p); });
   };
   visit_edges(surface.positions.size(), for_each_side, [&](std::uint32_t low, std::span<const Side> sides) {
     edges.push_back({low, sides.front().high});

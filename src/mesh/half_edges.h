@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/surface.h"
+#include "mesh/triangle.h"
 
 namespace viete::mesh {
 
@@ -33,7 +34,18 @@ struct HalfEdges {
 /// Returns the edges of the triangles. Ignores triangles that repeat a corner.
 HalfEdges half_edges(std::size_t vertices, std::span<const Triangle> triangles);
 
-/// Returns the edges of a surface's polygons, sorted and unique. Ignores edges from a vertex to itself.
+/// Calls use(a, b) for each side of a polygon. Ignores sides from a vertex to itself, and triangles that
+/// repeat a corner.
+template <class Use>
+void for_polygon_sides(const Surface& surface, std::size_t polygon, const Use& use) {
+  const auto begin = surface.polygon_starts[polygon], end = surface.polygon_starts[polygon + 1];
+  const auto corner = [&](std::uint32_t i) { return surface.corners[i < end ? i : begin + (i - end)]; };
+  if (end - begin == 3 && repeats_corner({corner(begin), corner(begin + 1), corner(begin + 2)})) return;
+  for (auto i = begin; i < end; ++i)
+    if (corner(i) != corner(i + 1)) use(corner(i), corner(i + 1));
+}
+
+/// Returns the edges of a surface's polygons, sorted and unique. See for_polygon_sides().
 std::vector<Edge> polygon_edges(const Surface& surface);
 
 }  // namespace viete::mesh

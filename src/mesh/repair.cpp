@@ -115,10 +115,7 @@ void turn(Triangle& t) {
 }
 
 Surface part_of(const Surface& whole, std::span<const std::uint32_t> triangles) {
-  Surface part;
-  part.positions = whole.positions;
-  for (const auto t : triangles) part.triangles.push_back(whole.triangles[t]);
-  return part;
+  return from_triangles(whole.positions, picked<Triangle>(whole.triangles, triangles));
 }
 
 // True if each edge is used equally often in both directions. If `open_too` is false, ignores boundary edges.

@@ -13,16 +13,15 @@ namespace viete::mesh {
 
 namespace {
 
-// For each vertex a, lists vertices b > a. If `upwards`, lists b once for each triangle side from a to b.
-// Otherwise, lists b once for each triangle side from b to a.
+// For each vertex a, lists vertices b > a. If `upwards`, lists b once for each polygon side from a to b.
+// Otherwise, lists b once for each polygon side from b to a.
 Adjacency sides(const Surface& surface, bool upwards) {
-  const auto& triangles = surface.triangles;
-  return sorted_adjacency(surface.positions.size(), triangles.size(), [&](std::uint32_t t, const auto& add) {
-    const auto& [a, b, c] = triangles[t];
-    if (repeats_corner(triangles[t])) return;
-    for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}})
+  const auto add_sides = [&](std::uint32_t p, const auto& add) {
+    for_polygon_sides(surface, p, [&](std::uint32_t from, std::uint32_t to) {
       if ((from < to) == upwards) add(std::min(from, to), std::max(from, to));
-  });
+    });
+  };
+  return sorted_adjacency(surface.positions.size(), surface.polygon_count(), add_sides);
 }
 
 // Joins the results for two blocks of vertices or triangles.
@@ -32,7 +31,7 @@ Summary joined(Summary a, const Summary& b) {
   append(a.boundary_edges, b.boundary_edges);
   append(a.nonmanifold_edges, b.nonmanifold_edges);
   append(a.misoriented_edges, b.misoriented_edges);
-  append(a.degenerate_triangles, b.degenerate_triangles);
+  append(a.degenerate_polygons, b.degenerate_polygons);
   return a;
 }
 
@@ -74,6 +73,17 @@ void find_parts(const Surface& surface, Summary& summary) {
   }
 }
 
+// `listed` has one entry per listed triangle. Keeps each polygon, once, of which all triangles are listed.
+void keep_polygons(const Surface& surface, std::vector<std::uint32_t>& listed) {
+  std::vector<std::uint32_t> whole;
+  for (std::size_t i = 0, end = 0; i < listed.size(); i = end) {
+    while (end < listed.size() && listed[end] == listed[i]) ++end;
+    const auto* start = surface.polygon_starts.data() + listed[i];
+    if (end - i == start[1] - start[0] - 2) whole.push_back(listed[i]);
+  }
+  listed = std::move(whole);
+}
+
 // Divides lengths by the box's diagonal, so that squares are in the range of double. Sums the volumes of
 // tetrahedra with a corner at the box's center, which is precise even far from the origin.
 void measure(const Surface& surface, Summary& summary) {
@@ -84,7 +94,7 @@ void measure(const Surface& surface, Summary& summary) {
     Summary sum;
     for (std::size_t t = begin; t < end; ++t) {
       Corners p = corners_of(surface.positions, surface.triangles[t]);
-      if (!has_area(p[0], p[1], p[2])) sum.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
+      if (!has_area(p[0], p[1], p[2])) sum.degenerate_polygons.push_back(surface.triangle_polygon[t]);
       for (Point& q : p) q = (1 / scale) * (q - center);
       const Point n = cross(p[1] - p[0], p[2] - p[0]);
       sum.area += 0.5 * stable_norm(n);
@@ -93,6 +103,7 @@ void measure(const Surface& surface, Summary& summary) {
     return sum;
   };
   summary = joined(std::move(summary), base::sum_of_blocks(surface.triangles.size(), measures, joined));
+  keep_polygons(surface, summary.degenerate_polygons);
   summary.area *= scale * scale;
   summary.volume *= scale * scale * scale;
 }
@@ -117,7 +128,7 @@ std::optional<Topology> topology(const Surface& surface, const Summary& summary)
   UnionFind rims(surface.positions.size());
   for (const auto& [a, b] : summary.boundary_edges) topology.holes += !rims.join(a, b);  // closes a loop
   topology.euler = std::ssize(surface.positions) - std::ssize(summary.unused_vertices) -
-                   static_cast<std::ptrdiff_t>(summary.edges) + std::ssize(surface.triangles);
+                   static_cast<std::ptrdiff_t>(summary.edges) + std::ssize(surface.polygon_starts) - 1;
   const auto rest = static_cast<std::ptrdiff_t>(2 * summary.parts - topology.holes) - topology.euler;
   topology.genus = static_cast<std::size_t>(rest / 2);
   return topology;

@@ -10,15 +10,16 @@
 
 namespace viete::mesh {
 
-/// The edges are triangle edges. Triangles with a repeated corner have no edges.
+/// Edges and areas are those of the polygons, see for_polygon_sides(). They do not depend on the
+/// triangulation.
 struct Summary {
   std::size_t vertices = 0, polygons = 0, triangles = 0, edges = 0;
   std::size_t parts = 0;                ///< number of components; unused vertices are not components
-  std::vector<Edge> boundary_edges;     ///< edges with one triangle
-  std::vector<Edge> nonmanifold_edges;  ///< edges with three or more triangles
-  std::vector<Edge> misoriented_edges;  ///< edges that two triangles use in the same direction
+  std::vector<Edge> boundary_edges;     ///< edges with one polygon
+  std::vector<Edge> nonmanifold_edges;  ///< edges with three or more polygons
+  std::vector<Edge> misoriented_edges;  ///< edges that two polygons use in the same direction
   std::vector<std::uint32_t> unused_vertices;
-  std::vector<std::uint32_t> degenerate_triangles;  ///< triangles without area, see has_area()
+  std::vector<std::uint32_t> degenerate_polygons;  ///< polygons of triangles without area, see has_area()
   double area = 0;
   double volume = 0;  ///< positive if oriented outward; meaningful only for a closed surface
 
@@ -33,7 +34,7 @@ Summary summarize(const Surface& surface);
 /// The topology of a manifold.
 struct Topology {
   std::size_t holes = 0;     ///< boundary loops
-  std::ptrdiff_t euler = 0;  ///< vertices - edges + triangles, without unused vertices
+  std::ptrdiff_t euler = 0;  ///< vertices - edges + polygons, without unused vertices
   std::size_t genus = 0;     ///< number of handles: euler = 2 * parts - 2 * genus - holes
 };
 

@@ -1,6 +1,7 @@
 #include "mesh/triangulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <functional>
@@ -17,6 +18,8 @@ namespace {
 // Smaller areas can be rounding errors and count as 0. Areas are doubled and divided by length^2. The length
 // is the extent of the polygon or, for a triangle of the fan, its longer side at the fan's corner.
 constexpr double flat_fan = 1e-12;
+// A triangle is thin if its height is less than this multiple of its longest edge.
+constexpr double thin = 2e-3;
 
 // The triangles around the first corner of a polygon. Lengths are relative to the extent of the polygon.
 class Fan {
@@ -31,15 +34,17 @@ public:
   // Returns the polygon's normal. The normal's length is 2 * area / extent^2.
   const Vec3& normal() const { return normal_; }
 
-  bool covers() const {
+  // Returns the least (doubled area) / length^2 of the triangles, negative if one is reversed. Returns 1 for
+  // a polygon without area.
+  double least_area() const {
     const double size = norm(normal_);
-    if (!(size > flat_fan)) return true;
-    for (std::size_t i = 2; i < corners_.size(); ++i) {
+    double least = 1;
+    for (std::size_t i = 2; size > flat_fan && i < corners_.size(); ++i) {
       const Vec3 a = spoke(i - 1), b = spoke(i);
       const double square = std::max(squared_norm(a), squared_norm(b));
-      if (dot(cross(a, b), normal_) < -flat_fan * size * square) return false;
+      least = std::min(least, square > 0 ? dot(cross(a, b), normal_) / (size * square) : 0);
     }
-    return true;
+    return least;
   }
 
 private:
@@ -132,8 +137,8 @@ private:
 };
 
 // The kinds of ears, in order of preference. `clear`: no other corner is in the ear or on its boundary.
-// `touched`: other corners are only on the boundary. `flat`: the ear has no area.
-enum class Ears { clear, touched, flat };
+// `touched`: other corners are only on the boundary. `thin`: the ear is thin. `flat`: the ear has no area.
+enum class Ears { clear, touched, thin, flat };
 
 // Clips ears from a ring of corners until two corners are left. A ring that does not cross itself always has
 // an ear, because the tests are exact.
@@ -168,7 +173,7 @@ public:
         clip(thinnest());
         kind = Ears::clear;
       } else {
-        kind = kind == Ears::clear ? Ears::touched : Ears::flat;
+        kind = static_cast<Ears>(static_cast<int>(kind) + 1);
       }
     }
     std::ranges::sort(triangles_);
@@ -220,6 +225,7 @@ private:
     const Triangle ear{previous_[i], i, next_[i]};
     if (points_[i] == points_[ear[0]] || points_[i] == points_[ear[2]]) return true;
     if (turns_[i] <= 0) return turns_[i] == 0 && kind == Ears::flat;
+    if (kind < Ears::thin && is_thin(ear)) return false;
     Box2 box = box_of(std::array{places_[ear[0]], places_[ear[1]], places_[ear[2]]});
     for (std::size_t k = 0; k < 2; ++k) box.low[k] -= slack_, box.high[k] += slack_;
     return !cells_.any(box, [&](std::uint32_t other) {
@@ -239,6 +245,18 @@ private:
     // A reflex corner at the ear's tip is the tip of a notch in the polygon. This notch can fill the ear.
     if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
     return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
+  }
+
+  // Returns twice the area of a triangle.
+  double area(const Triangle& t) const {
+    const Point2 &a = places_[t[0]], &b = places_[t[1]], &c = places_[t[2]];
+    return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  }
+
+  bool is_thin(const Triangle& t) const {
+    const Point2 &a = places_[t[0]], &b = places_[t[1]], &c = places_[t[2]];
+    return area(t) <
+           thin * std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
   }
 
   bool leads_into(const Triangle& ear, const std::array<int, 3>& sides, std::uint32_t to) const {
@@ -261,13 +279,10 @@ private:
   }
 
   std::uint32_t thinnest() const {
-    const auto area = [&](std::uint32_t i) {
-      const Point2 &a = places_[previous_[i]], &b = places_[i], &c = places_[next_[i]];
-      return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
-    };
+    const auto ear = [&](std::uint32_t i) { return Triangle{previous_[i], i, next_[i]}; };
     std::uint32_t best = first_;
     for (auto i = next_[first_]; i != first_; i = next_[i])
-      if (area(i) < area(best)) best = i;
+      if (area(ear(i)) < area(ear(best))) best = i;
     return best;
   }
 
@@ -290,17 +305,26 @@ std::vector<Triangle> fan_of(std::size_t corners) {
   return triangles;
 }
 
+// True if triangulation() returns the fan.
+bool is_fan(std::span<const Point> corners) {
+  if (corners.size() <= 3) return true;
+  const double least = Fan(corners).least_area();
+  if (least >= thin || least < -flat_fan) return least >= thin;
+  if (corners.size() > 4) return false;
+  const std::array others{corners[1], corners[2], corners[3], corners[0]};
+  return Fan(others).least_area() <= least;
+}
+
 }  // namespace
 
-bool is_fan(std::span<const Point> corners) {
-  return corners.size() <= 3 || Fan(corners).covers();
+bool covers(std::span<const Point> corners) {
+  return corners.size() <= 3 || Fan(corners).least_area() >= -flat_fan;
 }
 
 std::vector<Triangle> triangulation(std::span<const Point> corners) {
-  const Fan fan(corners);
-  if (corners.size() <= 3 || fan.covers()) return fan_of(corners.size());
+  if (is_fan(corners)) return fan_of(corners.size());
   if (corners.size() == 4) return {{0, 1, 3}, {1, 2, 3}};
-  return EarClipper(corners, fan.normal()).cut();
+  return EarClipper(corners, Fan(corners).normal()).cut();
 }
 
 void triangulate(Surface& surface) {

@@ -10,13 +10,14 @@ namespace viete::mesh {
 
 /// True if the fan around the first corner covers the polygon: no fan triangle is reversed relative to the
 /// sum of the fan's normals. Always true for convex polygons and for polygons without area.
-bool is_fan(std::span<const Point> corners);
+bool covers(std::span<const Point> corners);
 
 /// Returns n - 2 triangles for any polygon of n corners. Each triangle has three ascending indices into
-/// `corners`. If the fan covers the polygon, returns the fan. Otherwise clips ears with exact tests,
-/// beginning with the shortest cut. The polygon can be slightly non-planar, and can touch itself, for example
-/// at a bridge to a hole. Makes triangles without area only if necessary. Scaling or mirroring about the
-/// first corner does not change the result. O(n log n), except if ears span many corners.
+/// `corners`. If the fan covers the polygon and has no thin triangle, returns the fan. Otherwise clips ears
+/// with exact tests, beginning with the shortest cut. Makes thin triangles, and triangles without area, only
+/// if necessary: a corner in the middle of an edge is joined to the other corners. The polygon can be
+/// slightly non-planar, and can touch itself, for example at a bridge to a hole. Scaling or mirroring about
+/// the first corner does not change the result. O(n log n), except if ears span many corners.
 std::vector<Triangle> triangulation(std::span<const Point> corners);
 
 /// Triangulates all polygons at their current positions. Sets `triangles`, `triangle_polygon` and `clipped`.

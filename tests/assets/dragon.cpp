@@ -52,7 +52,7 @@ TEST_CASE("dragon_is_one_closed_oriented_part_of_genus_0_with_50000_vertices") {
   CHECK(summary.manifold());
   CHECK(summary.oriented());
   CHECK(summary.unused_vertices.empty());
-  CHECK(summary.degenerate_triangles.empty());
+  CHECK(summary.degenerate_polygons.empty());
   CHECK(summary.volume > 0);
 }
 

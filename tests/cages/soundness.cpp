@@ -18,7 +18,7 @@ void check_closed_manifold(const cages::Shell& shell) {
   const mesh::Summary summary = mesh::summarize(s);
   CHECK(summary.closed());
   CHECK(mesh::topology(s, summary));
-  CHECK(summary.degenerate_triangles.empty());
+  CHECK(summary.degenerate_polygons.empty());
   CHECK(summary.volume > 0);
 }
 

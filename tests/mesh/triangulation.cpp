@@ -149,18 +149,27 @@ std::vector<Triangle> fan(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("convex_polygon_with_collinear_or_repeated_corners_is_a_fan") {
+TEST_CASE("convex_polygon_is_a_fan") {
   for (std::size_t n = 3; n < 40; ++n) {
     const Ring ring = polar(n, [](std::size_t) { return 1.0; });
     for (const Ring& r : {ring, onto_a_slope(ring), turned_by_rounded_numbers(ring)})
       CHECK(triangulation(r) == fan(n));
   }
+}
+
+TEST_CASE("collinear_corners_make_no_triangles_without_area_and_repeated_corners_one_each") {
   const Ring square = flat({0, 0, 1, 0, 1, 1, 0, 1});
   for (const Ring& r : {with_more_corners(square), with_more_corners(onto_a_slope(square)),
                         with_more_corners(turned_by_rounded_numbers(square))}) {
-    for (std::size_t first = 0; first < r.size(); ++first)
-      CHECK(triangulation(from_corner(r, first)) == fan(r.size()));
+    for (std::size_t first = 0; first < r.size(); ++first) {
+      const Ring from = from_corner(r, first);
+      check_cover(from, triangulation(from));
+      CHECK(without_area(from) == 2);
+    }
   }
+  const Ring with_a_corner_in_an_edge = flat({0, 0, 2, 0, 0, 2, 0, 1});
+  for (std::size_t first = 0; first < 4; ++first)
+    CHECK(without_area(from_corner(with_a_corner_in_an_edge, first)) == 0);
 }
 
 TEST_CASE("every_simple_polygon_is_covered_once_from_any_first_corner") {
