@@ -39,10 +39,10 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
 
 void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& cage) {
   const std::size_t k = cage.element_count();
-  const auto& corners = cage.surface.positions;
+  const auto& corners = cage.elements.positions;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     for (std::size_t j = 0; j < k; ++j) {
-      const auto& t = cage.surface.triangles[j];
+      const auto& t = cage.elements.triangles[j];
       distances_[i * k + j] = distance_to_triangle(positions[i], corners[t[0]], corners[t[1]], corners[t[2]]);
     }
   }
@@ -110,9 +110,9 @@ void ReferenceFrame::deform(const deform::Pose& pose) {
 
 void ReferenceFrame::log_cage(const deform::Pose& pose) {
   for (std::size_t j = 0; j < handles_.size(); ++j) {
-    const auto& t = cage_.surface.triangles[j];
-    const auto posed = corners(t, pose.positions);
-    const Eigen::Matrix3d map = frame_of(posed) * frame_of(corners(t, cage_.surface.positions)).inverse();
+    const auto& t = cage_.elements.triangles[j];
+    const auto posed = corners(t, deform::with_centers(cage_, pose.positions));
+    const Eigen::Matrix3d map = frame_of(posed) * frame_of(corners(t, cage_.elements.positions)).inverse();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Eigen::Matrix3d& v = svd.matrixV();
     const Eigen::Matrix3d stretch =

@@ -18,9 +18,9 @@ struct DistanceTriangle {
   /// Entry k is for edge k + 1. For a point (x, y), dot(along[k], (x, y, 1)) is the coordinate along the
   /// edge, and dot(inward[k], (x, y, 1)) is the distance from the edge's line, positive inside.
   T along[2][3], inward[2][3];
-  T outside;        ///< least inward distance of inside points: 0, or infinity if there is no area
-  T near;           ///< least squared distance that is accurate in float; about (longest edge / 16)^2
-  bool degenerate;  ///< true: the triangle has no area, and its weight is 0
+  T outside;  ///< least inward distance of inside points: 0, or infinity if there is no area
+  T near;     ///< least squared distance that is accurate in float; about (longest edge / 16)^2
+  T share;    ///< see HandleShape::share
 };
 
 template <class T>

@@ -76,11 +76,13 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
       const PointV square =
           hn::Max(hn::Set(d, job.least_square), squared_distance(d, p, job.triangles[i], job.shifts[i]));
       hn::StoreU(square, d, weights + i * bind_lanes + l);
-      if (!job.triangles[i].degenerate) nearest = hn::Min(nearest, square);
+      if (job.triangles[i].share > 0) nearest = hn::Min(nearest, square);
     }
     for (std::size_t i = 0; i < job.count; ++i) {
       double* w = weights + i * bind_lanes + l;
-      const PointV ratio = job.triangles[i].degenerate ? hn::Zero(d) : hn::Div(nearest, hn::LoadU(d, w));
+      const double part = job.triangles[i].share;
+      const PointV ratio =
+          part > 0 ? hn::Mul(hn::Set(d, part), hn::Div(nearest, hn::LoadU(d, w))) : hn::Zero(d);
       sum = hn::Add(sum, ratio);
       hn::StoreU(ratio, d, w);
     }
@@ -106,11 +108,11 @@ static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& j
   for (std::size_t i = 0; i < job.count; ++i) {
     const auto& t = job.triangles[i];
     V w = hn::Zero(d);
-    if (!t.degenerate) {
+    if (t.share > 0) {
       const V square = squared_distance(d, p, t, job.shifts[i]);
       const V left = hn::NegMulAdd(hn::Sqrt(square), hn::Set(d, job.cut), hn::Set(d, 1));
       const V inside = hn::Max(hn::Zero(d), left);
-      w = hn::Mul(inside, inside);
+      w = hn::Mul(hn::Set(d, t.share), hn::Mul(inside, inside));
       sum.near = hn::Max(sum.near, hn::IfThenElseZero(hn::Lt(square, hn::Set(d, t.near)), hn::Set(d, 1)));
     }
     sum.weights = hn::Add(sum.weights, w);
@@ -199,7 +201,7 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
       const auto& t = job.triangles[i];
       const RowV square = hn::Max(hn::Set(d, job.least_square), squared_distance(d, p, t, job.shifts[i]));
       hn::StoreU(square, d, out.rows + i * row_lanes + l);
-      if (t.degenerate) continue;
+      if (!(t.share > 0)) continue;
       nearest = hn::Min(nearest, square);
       near = hn::Or(near, hn::Lt(square, hn::Set(d, t.near)));
     }
@@ -208,8 +210,10 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
       RowV part = hn::Zero(d);
       for (std::size_t i = block; i < std::min(block + summed_at_once, job.count); ++i) {
         float* w = out.rows + i * row_lanes + l;
-        const RowV ratio =
-            job.triangles[i].degenerate ? hn::Zero(d) : hn::Mul(nearest, inverse(hn::LoadU(d, w)));
+        const float of_one = job.triangles[i].share;
+        const RowV ratio = of_one > 0
+                               ? hn::Mul(hn::Set(d, of_one), hn::Mul(nearest, inverse(hn::LoadU(d, w))))
+                               : hn::Zero(d);
         part = hn::Add(part, ratio);
         hn::StoreU(ratio, d, w);
       }

@@ -29,12 +29,14 @@ base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t 
 
 namespace {
 
-// Returns the number of cage triangles that mesh::one_sided() flipped or removed.
+// Returns the number of cage faces that mesh::one_sided() flipped or removed.
 std::size_t seen_otherwise(const Cage& cage) {
   const auto& [triangles, of, closed] = cage.sides;
-  std::size_t alike = 0;
-  for (std::size_t i = 0; i < of.size(); ++i) alike += triangles[i] == cage.surface.triangles[of[i]];
-  return cage.element_count() - alike;
+  std::vector<std::uint8_t> differs(cage.surface.polygon_count(), 0);
+  for (const auto polygon : cage.elements.triangle_polygon) differs[polygon] = 1;
+  for (std::size_t i = 0; i < of.size(); ++i)
+    if (triangles[i] == cage.elements.triangles[of[i]]) differs[cage.polygon_of(of[i])] = 0;
+  return static_cast<std::size_t>(std::ranges::count(differs, 1));
 }
 
 }  // namespace
@@ -49,9 +51,9 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
         "only approximately");
   }
   if (const std::size_t other = seen_otherwise(cage); other > 0) {
-    warnings.push_back(std::to_string(other) + " of " + std::to_string(cage.element_count()) +
-                       " cage triangles are flipped or ignored for mean value coordinates, so that all "
-                       "triangles face outwards");
+    warnings.push_back(std::to_string(other) + " of " + std::to_string(cage.surface.polygon_count()) +
+                       " cage faces are flipped or ignored for mean value coordinates, so that all faces "
+                       "point outwards");
   }
   if (failed > 0) {
     warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +

@@ -9,6 +9,7 @@
 #include "mesh/adjacency.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
+#include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 
 namespace viete::deform {
@@ -199,39 +200,106 @@ std::string listed(const std::vector<std::size_t>& elements) {
   return elements.size() > 5 ? text + ", ..." : text;
 }
 
+std::span<const std::uint32_t> corners_of(const mesh::Surface& surface, std::size_t polygon) {
+  const auto first = surface.polygon_starts[polygon], end = surface.polygon_starts[polygon + 1];
+  return std::span(surface.corners).subspan(first, end - first);
+}
+
+Vec3 mean_of(std::span<const std::uint32_t> corners, std::span<const mesh::Point> positions) {
+  const mesh::Point& first = positions[corners[0]];
+  Vec3 sum{0, 0, 0};
+  for (const auto v : corners) sum = sum + (positions[v] - first);
+  return first + (1 / static_cast<double>(corners.size())) * sum;
+}
+
+// True if the center is inside of all sides by a margin. The margin is relative to the polygon's width.
+bool surrounds(std::span<const std::uint32_t> corners, const Vec3& center, const mesh::Surface& surface) {
+  constexpr double margin = 0.02;
+  double extent = 0;
+  for (const auto v : corners) extent = std::max(extent, largest_abs(surface.positions[v] - center));
+  const auto arm = [&](std::size_t i) {
+    return (1 / extent) * (surface.positions[corners[i % corners.size()]] - center);
+  };
+  Vec3 area{0, 0, 0};
+  for (std::size_t i = 0; extent > 0 && i < corners.size(); ++i) area = area + cross(arm(i), arm(i + 1));
+  const double width = norm(area);
+  for (std::size_t i = 0; width > 0 && i < corners.size(); ++i)
+    if (dot(cross(arm(i), arm(i + 1)), area) < margin * width * width * norm(arm(i + 1) - arm(i)))
+      return false;
+  return true;
+}
+
+void add_triangles(Cage& cage, std::uint32_t polygon) {
+  const auto add = [&](const mesh::Triangle& t) {
+    cage.elements.triangles.push_back(t);
+    cage.elements.triangle_polygon.push_back(polygon);
+  };
+  const auto corners = corners_of(cage.surface, polygon);
+  if (corners.size() == 3) return add({corners[0], corners[1], corners[2]});
+  const Vec3 center = mean_of(corners, cage.surface.positions);
+  if (surrounds(corners, center, cage.surface)) {
+    const auto middle = static_cast<std::uint32_t>(cage.elements.positions.size());
+    cage.elements.positions.push_back(center);
+    cage.split.push_back(polygon);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (corners[i] != corners[(i + 1) % corners.size()])
+        add({middle, corners[i], corners[(i + 1) % corners.size()]});
+    return;
+  }
+  std::vector<std::uint32_t> ring(corners.begin(), corners.end());
+  std::ranges::rotate(ring, std::ranges::min_element(ring));
+  const auto places = mesh::picked<mesh::Point>(cage.surface.positions, ring);
+  for (const auto& [i, j, k] : mesh::triangulation(places)) add({ring[i], ring[j], ring[k]});
+}
+
+void split_polygons(Cage& cage) {
+  cage.elements.positions = cage.surface.positions;
+  cage.elements.corners = cage.surface.corners;
+  cage.elements.polygon_starts = cage.surface.polygon_starts;
+  std::vector<std::size_t> repeats;
+  const auto repeated = mesh::repeated_polygons(cage.surface);
+  for (std::uint32_t p = 0; p < repeated.size(); ++p)
+    repeated[p] ? repeats.push_back(p) : add_triangles(cage, p);
+  if (repeats.empty()) return;
+  cage.warnings.push_back(std::to_string(repeats.size()) +
+                          (repeats.size() == 1 ? " cage face repeats another face and is ignored: "
+                                               : " cage faces repeat other faces and are ignored: ") +
+                          listed(repeats));
+}
+
 void add_elements(Cage& cage) {
-  std::vector<std::size_t> found;
-  for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
-    const auto& p = cage.surface.positions;
-    const auto& [a, b, c] = cage.surface.triangles[e];
+  const auto& p = cage.elements.positions;
+  std::vector<std::uint8_t> has_area(cage.surface.polygon_count(), 0);
+  for (std::size_t e = 0; e < cage.elements.triangles.size(); ++e) {
+    const auto& [a, b, c] = cage.elements.triangles[e];
     cage.centers.push_back(p[a] + (1.0 / 3) * ((p[b] - p[a]) + (p[c] - p[a])));
-    cage.bases.push_back(rest_basis(p, cage.surface.triangles[e]));
+    cage.bases.push_back(rest_basis(p, cage.elements.triangles[e]));
     cage.degenerate.push_back(!mesh::has_area(p[a], p[b], p[c]));
-    if (cage.degenerate.back()) found.push_back(e);
+    if (!cage.degenerate.back()) has_area[cage.polygon_of(e)] = 1;
   }
-  if (found.size() == cage.element_count()) {
-    throw base::Error("", "all triangles of the cage have zero area",
-                      "choose a surface that encloses the model");
+  if (std::ranges::count(has_area, 1) == 0) {
+    throw base::Error("", "all faces of the cage have zero area", "choose a surface that encloses the model");
   }
+  std::vector<std::size_t> found;
+  for (const auto polygon : cage.elements.triangle_polygon)
+    if (!has_area[polygon] && (found.empty() || found.back() != polygon)) found.push_back(polygon);
   if (found.empty()) return;
-  cage.warnings.push_back(std::to_string(found.size()) + " of " + std::to_string(cage.element_count()) +
-                          " cage triangles have zero area and do not deform the model: " + listed(found));
+  cage.warnings.push_back(std::to_string(found.size()) + " of " + std::to_string(has_area.size()) +
+                          " cage faces have zero area and do not deform the model: " + listed(found));
 }
 
 // Returns the cage's extent along the normal of the first triangle with an area, in diagonals of the cage.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
-  const auto& p = cage.surface.positions;
-  const auto& [a, b, c] = cage.surface.triangles[static_cast<std::size_t>(e)];
+  const auto& p = cage.elements.positions;
+  const auto& [a, b, c] = cage.elements.triangles[static_cast<std::size_t>(e)];
   const double scale = 1 / cage.diagonal;
   const Vec3 across = cross(scale * (p[b] - p[a]), scale * (p[c] - p[a]));
   const Vec3 normal = (1 / norm(across)) * across;
   double least = 0, most = 0;
-  for (const auto& triangle : cage.surface.triangles) {
-    for (const auto v : triangle) {
-      const double height = dot(normal, scale * (p[v] - p[a]));
-      least = std::min(least, height), most = std::max(most, height);
-    }
+  for (const auto v : cage.surface.corners) {
+    const double height = dot(normal, scale * (p[v] - p[a]));
+    least = std::min(least, height), most = std::max(most, height);
   }
   return most - least;
 }
@@ -248,14 +316,14 @@ void refuse_fins(const DualGraph& graph) {
   const auto& [a, b] = graph.fins.front();
   const auto others = graph.fins.size() - 1;
   throw FinError("",
-                 "the cage has a fin: an odd number of triangles share edge " + std::to_string(a) + "-" +
+                 "the cage has a fin: an odd number of faces share edge " + std::to_string(a) + "-" +
                      std::to_string(b) + (others ? " and " + std::to_string(others) + " more edges" : "") +
                      " (vertices numbered from 0), so inside and outside are undefined there",
                  "remove the faces that stick out");
 }
 
 void connect(Cage& cage) {
-  DualGraph graph = dual_graph(cage.surface, cage.degenerate);
+  DualGraph graph = dual_graph(cage.elements, cage.degenerate);
   refuse_squashed(cage, graph);
   refuse_fins(graph);
   cage.dual_edges = std::move(graph.edges);
@@ -263,15 +331,15 @@ void connect(Cage& cage) {
   cage.roots = std::move(parts.centers);
   cage.parts = std::move(parts.of);
   cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
-  cage.sides = mesh::one_sided(cage.surface);
+  cage.sides = mesh::one_sided(cage.elements);
   const auto warn = [&cage](std::size_t count, const char* what) {
     if (count == 0) return;
     cage.warnings.push_back(std::to_string(count) + (count == 1 ? " cage edge has " : " cage edges have ") +
                             what);
   };
-  warn(graph.open, "only one triangle: the cage is open");
-  warn(graph.nonmanifold, "four or more triangles: parts of the cage touch there");
-  warn(graph.misoriented, "triangles of opposite orientation");
+  warn(graph.open, "only one face: the cage is open");
+  warn(graph.nonmanifold, "four or more faces: parts of the cage touch there");
+  warn(graph.misoriented, "faces of opposite orientation");
 }
 
 }  // namespace
@@ -282,6 +350,7 @@ Cage make_cage(mesh::Surface surface) {
   cage.unused.assign(cage.surface.positions.size(), 1);
   for (const auto v : cage.surface.corners) cage.unused[v] = 0;
   cage.edges = mesh::polygon_edges(cage.surface);
+  split_polygons(cage);
   add_elements(cage);
   cage.diagonal = mesh::used_bounds(cage.surface).diagonal();
   cage.size = mesh::used_size(cage.surface);
@@ -289,6 +358,12 @@ Cage make_cage(mesh::Surface surface) {
       1e-14 * cage.diagonal + 4 * std::numeric_limits<double>::epsilon() * largest_coordinate(cage.surface);
   connect(cage);
   return cage;
+}
+
+std::vector<mesh::Point> with_centers(const Cage& cage, std::span<const mesh::Point> positions) {
+  std::vector<mesh::Point> all(positions.begin(), positions.end());
+  for (const auto p : cage.split) all.push_back(mean_of(corners_of(cage.surface, p), positions));
+  return all;
 }
 
 Cage no_cage(const mesh::Bounds& box) {

@@ -35,9 +35,16 @@ Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
 
-/// The rest cage, with all data that do not depend on the pose. The elements are the triangles.
+/// The rest cage, with all data that do not depend on the pose.
 struct Cage {
-  mesh::Surface surface;                 ///< rest positions and triangles
+  mesh::Surface surface;  ///< rest positions and polygons
+  /// The elements, as triangles of the polygons of `surface`. A polygon of four or more corners has one
+  /// triangle per side, to its center, which is the mean of its corners. Therefore, no diagonal and no first
+  /// corner matters. A concave polygon that does not surround its center has the triangles of triangulation()
+  /// from its lowest vertex. A polygon that repeats another one has no elements. `positions` are those of
+  /// `surface`, then the centers; see with_centers().
+  mesh::Surface elements;
+  std::vector<std::uint32_t> split;      ///< the polygon of each center
   std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if no polygon uses the vertex
   std::vector<mesh::Edge> edges;         ///< edges of the polygons, without duplicates
   std::vector<Vec3> centers;             ///< rest centroid of each element
@@ -57,7 +64,11 @@ struct Cage {
   std::vector<std::string> warnings;  ///< one line each, with element numbers from 0
 
   std::size_t element_count() const { return centers.size(); }
+  std::uint32_t polygon_of(std::size_t element) const { return elements.triangle_polygon[element]; }
 };
+
+/// Returns positions for the vertices of Cage::elements, from positions of the cage's vertices.
+std::vector<mesh::Point> with_centers(const Cage& cage, std::span<const mesh::Point> positions);
 
 /// Thrown if an edge has an odd number of triangles, at least three, and all these triangles have an area.
 struct FinError : base::Error {
@@ -65,8 +76,8 @@ struct FinError : base::Error {
 };
 
 /// Throws FinError. Throws base::Error if no triangle has an area, or if the surface is flat and has no open
-/// edge (see DualGraph). Cage::warnings lists other defects: triangles without area, and open, nonmanifold or
-/// misoriented edges.
+/// edge (see DualGraph). Cage::warnings lists other defects: repeated faces, faces without area, and open,
+/// nonmanifold or misoriented edges.
 Cage make_cage(mesh::Surface surface);
 
 /// A placeholder for a missing cage: two vertices at opposite corners of the box, and no elements. With the

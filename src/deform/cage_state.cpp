@@ -150,13 +150,19 @@ Rows CageState::rows() const {
 }
 
 void CageState::begin_drag(std::span<const std::uint32_t> vertices) {
-  std::vector<bool> moves(cage_->surface.positions.size());
+  const mesh::Surface& surface = cage_->surface;
+  std::vector<bool> moves(surface.positions.size());
   for (const auto v : vertices) moves[v] = true;
+  const auto polygon_moves = [&](std::uint32_t p) {
+    const auto first = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
+    return std::any_of(surface.corners.begin() + first, surface.corners.begin() + end,
+                       [&](auto v) { return moves[v]; });
+  };
   moving_.clear();
   ++resting_revision_;
   const auto moved = [&](std::uint32_t h) {
     if (maps_.empty()) return bool(moves[h]);
-    if (!patches_) return std::ranges::any_of(cage_->surface.triangles[h], [&](auto v) { return moves[v]; });
+    if (!patches_) return polygon_moves(cage_->polygon_of(h));
     return moves[h] ||
            std::ranges::any_of(patches_->members(h), [&](const auto& m) { return moves[m.vertex]; });
   };

@@ -36,12 +36,6 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed) {
   return std::isfinite(squared_norm(origin)) ? origin : pose.center();
 }
 
-Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
-                    const Vec3& origin) {
-  const auto& [a, b, c] = cage.surface.triangles[element];
-  return (1.0 / 3) * ((positions[a] - origin) + (positions[b] - origin) + (positions[c] - origin));
-}
-
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n) {
   const Vec3 way_u = u - rest.u, way_v = v - rest.v, way_n = n - rest.n;
   const bool near =
@@ -59,11 +53,13 @@ sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& 
 
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps) {
+  const std::vector<mesh::Point> at = with_centers(cage, posed);
   for (const auto e : elements) {
-    const auto& t = cage.surface.triangles[e];
-    maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, element_center(cage, e, posed, origin)};
+    const auto& [a, b, c] = cage.elements.triangles[e];
+    maps[e] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},
+               (1.0 / 3) * ((at[a] - origin) + (at[b] - origin) + (at[c] - origin))};
     if (cage.degenerate[e]) continue;
-    const auto [u, v, n] = triangle_basis(posed, t, cage.bases[e].corner);
+    const auto [u, v, n] = triangle_basis(at, cage.elements.triangles[e], cage.bases[e].corner);
     maps[e].linear = linear_map(cage.bases[e], u, v, n);
   }
 }

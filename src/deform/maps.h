@@ -56,10 +56,6 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 /// rest^-1. For an unmoved element, M is then exactly I.
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
-/// Returns the element's centroid relative to `origin`.
-Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
-                    const Vec3& origin);
-
 /// Computes linear = [u' v' n'] * [u v n]^-1. At rest, u and v are two edges, and n = N / sqrt|N| with
 /// N = cross(u, v). u', v' and n' are the same vectors in the pose. The maps reproduce similarities. An
 /// element that is unmoved or degenerate at rest gets exactly I. A posed element without area gets a matrix

@@ -108,9 +108,10 @@ std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, st
 }  // namespace
 
 VertexPatches::VertexPatches(const Cage& cage, double size)
-    : cage_(cage), triangles_(mesh::vertex_triangles(cage.surface.positions.size(), cage.surface.triangles)) {
+    : cage_(cage),
+      triangles_(mesh::vertex_triangles(cage.elements.positions.size(), cage.elements.triangles)) {
   for (std::uint32_t v = 0; v < cage.surface.positions.size(); ++v)
-    rest_normals_.push_back(normal(v, cage.surface.positions));
+    rest_normals_.push_back(normal(v, cage.elements.positions));
   patches_ = make_patches(cage, size, rest_normals_);
 }
 
@@ -119,7 +120,7 @@ Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at
   Vec3 sum{0, 0, 0};
   double total = 0;
   for (const auto e : triangles_.of(vertex)) {
-    const auto& [a, b, c] = cage_.surface.triangles[e];
+    const auto& [a, b, c] = cage_.elements.triangles[e];
     const Vec3 area = cross(at[b] - at[a], at[c] - at[a]);
     sum = sum + area;
     total += norm(area);
@@ -131,6 +132,7 @@ Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at
 void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& origin,
                             std::span<const std::uint32_t> which, std::span<AffineMap> maps) const {
   const auto& rest = cage_.surface.positions;
+  const std::vector<mesh::Point> at = with_centers(cage_, posed);
   const Vec3 rest_origin = middle(rest);
   const auto to = [&](std::uint32_t v) { return posed[v] - origin; };
   const auto way = [&](std::uint32_t v) { return to(v) - (rest[v] - rest_origin); };
@@ -154,7 +156,7 @@ void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& orig
       add_product(near ? way(v) - way(patch) : to(v) - to(patch), dual);
     const Vec3& normal_dual = patches_[patch].normal_dual;
     if (squared_norm(normal_dual) == 0) continue;
-    const Vec3 posed_normal = normal(patch, posed);
+    const Vec3 posed_normal = normal(patch, at);
     add_product(near ? posed_normal - rest_normals_[patch] : posed_normal, normal_dual);
   }
 }

@@ -49,7 +49,7 @@ private:
   Vec3 normal(std::uint32_t vertex, std::span<const mesh::Point> at) const;
 
   const Cage& cage_;
-  mesh::Adjacency triangles_;       // triangles around each vertex
+  mesh::Adjacency triangles_;       // elements around each vertex
   std::vector<Vec3> rest_normals_;  // normal() of each vertex at rest
   std::vector<Patch> patches_;
 };

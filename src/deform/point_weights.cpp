@@ -87,7 +87,7 @@ DistanceTriangle<float> in_float(const DistanceTriangle<double>& t) {
   convert(t.length, f.length);
   f.outside = static_cast<float>(t.outside);
   f.near = static_cast<float>(t.near);
-  f.degenerate = t.degenerate;
+  f.share = static_cast<float>(t.share);
   return f;
 }
 
@@ -100,8 +100,13 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin) {
 
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle) {
   const auto h = static_cast<std::uint32_t>(handle);
-  if (elements == Elements::face) return {cage.surface.triangles[h], !cage.degenerate[h]};
-  return {{h, h, h}, !cage.unused[h]};
+  if (elements == Elements::point) return {{h, h, h}, cage.unused[h] ? 0.0 : 1.0};
+  const mesh::Triangle& corners = cage.elements.triangles[h];
+  if (cage.degenerate[h]) return {corners, 0};
+  if (corners[0] < cage.surface.positions.size()) return {corners, 1};
+  const auto* start = cage.surface.polygon_starts.data() + cage.polygon_of(h);
+  const double n = start[1] - start[0];
+  return {corners, (n - 2) / n};
 }
 
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
@@ -129,7 +134,7 @@ struct View {
 View view_of(const mesh::Point& p, const Cage& cage, const mesh::Triangle& t) {
   View view;
   for (int i = 0; i < 3; ++i) {
-    const Vec3 q = cage.surface.positions[t[i]] - p;
+    const Vec3 q = cage.elements.positions[t[i]] - p;
     view.d[i] = norm(q);
     view.u[i] = (1 / view.d[i]) * q;
   }
@@ -187,8 +192,8 @@ void set_corners(std::span<double> weights, const mesh::Triangle& t, const Vec3&
 }
 
 bool weights_on_cage(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
-  const auto& x = cage.surface.positions;
-  for (const auto& t : cage.surface.triangles) {
+  const auto& x = cage.elements.positions;
+  for (const auto& t : cage.elements.triangles) {
     if (!touches_plane(p, x[t[0]], x[t[1]], x[t[2]], 2 * cage.contact)) continue;
     const mesh::Closest closest = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]);
     if (closest.squared_distance > cage.contact * cage.contact) continue;
@@ -199,10 +204,10 @@ bool weights_on_cage(const Cage& cage, const mesh::Point& p, std::span<double> w
 }
 
 void weights_of_closest_point(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
-  const auto& x = cage.surface.positions;
+  const auto& x = cage.elements.positions;
   mesh::Closest best{std::numeric_limits<double>::infinity(), {1, 0, 0}};
-  const mesh::Triangle* nearest = &cage.surface.triangles.front();
-  for (const auto& t : cage.surface.triangles) {
+  const mesh::Triangle* nearest = &cage.elements.triangles.front();
+  for (const auto& t : cage.elements.triangles) {
     const mesh::Closest closest = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]);
     if (closest.squared_distance >= best.squared_distance) continue;
     best = closest;
@@ -211,9 +216,7 @@ void weights_of_closest_point(const Cage& cage, const mesh::Point& p, std::span<
   set_corners(weights, *nearest, best.barycentric);
 }
 
-}  // namespace
-
-bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
+bool weights_of_elements(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
   if (weights_on_cage(cage, p, weights)) return true;
   std::fill(weights.begin(), weights.end(), 0.0);
   for (const auto& t : cage.sides.triangles) {
@@ -232,6 +235,27 @@ bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double
   }
   weights_of_closest_point(cage, p, weights);
   return false;
+}
+
+}  // namespace
+
+bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights) {
+  std::vector<double> all(cage.elements.positions.size());
+  const bool exist = weights_of_elements(cage, p, all);
+  share_centers(cage, all.data(), 1);
+  std::copy_n(all.begin(), weights.size(), weights.begin());
+  return exist;
+}
+
+void share_centers(const Cage& cage, double* weights, std::size_t lanes) {
+  for (std::size_t i = 0; i < cage.split.size(); ++i) {
+    const double* of_center = weights + (cage.surface.positions.size() + i) * lanes;
+    const auto first = cage.surface.polygon_starts[cage.split[i]];
+    const auto end = cage.surface.polygon_starts[cage.split[i] + 1];
+    for (auto c = first; c < end; ++c)
+      for (std::size_t l = 0; l < lanes; ++l)
+        weights[cage.surface.corners[c] * lanes + l] += of_center[l] / (end - first);
+  }
 }
 
 }  // namespace viete::deform

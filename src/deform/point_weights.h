@@ -33,7 +33,10 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 /// A handle as a triangle, for distances.
 struct HandleShape {
   mesh::Triangle corners;  ///< for a vertex, the same index three times
-  bool weighs;             ///< false for a face without area or a vertex without polygons
+  /// A factor of weights by distance: 0 for a triangle without area and for a vertex without polygons,
+  /// otherwise 1 or, for the n triangles of a split polygon, (n - 2) / n. A polygon then weighs as much as n
+  /// - 2 triangles.
+  double share;
 };
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle);
 
@@ -43,6 +46,10 @@ HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle
 /// origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
+
+/// Adds the weights of the centers of Cage::elements to the corners of their polygons, in equal parts.
+/// `weights` is [vertex of Cage::elements][lanes].
+void share_centers(const Cage& cage, double* weights, std::size_t lanes);
 
 /// Computes mean value weights of the cage's vertices at p, with sum 1. With these weights, blended positions
 /// reproduce affine poses of closed cages (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). The mean

@@ -57,17 +57,18 @@ std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cag
 
 void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::string& file,
                        std::vector<std::string>& warnings) {
-  std::size_t count = 0, first = 0;
-  for (std::size_t e = cage.element_count(); e-- > 0;) {
-    const auto& [a, b, c] = cage.surface.triangles[e];
-    const auto& p = posed.positions;
-    if (cage.degenerate[e] || mesh::has_area(p[a], p[b], p[c])) continue;
-    ++count;
-    first = e;
+  std::vector<std::uint32_t> faces;
+  const auto p = with_centers(cage, posed.positions);
+  for (std::size_t e = 0; e < cage.element_count(); ++e) {
+    const auto& [a, b, c] = cage.elements.triangles[e];
+    const bool collapses = !cage.degenerate[e] && !mesh::has_area(p[a], p[b], p[c]);
+    if (collapses && (faces.empty() || faces.back() != cage.polygon_of(e)))
+      faces.push_back(cage.polygon_of(e));
   }
-  if (count == 0) return;
-  warnings.push_back(file + ": " + std::to_string(count) + " of " + std::to_string(cage.element_count()) +
-                     " cage triangles have zero area in this pose (first: triangle " + std::to_string(first) +
+  if (faces.empty()) return;
+  warnings.push_back(file + ": " + std::to_string(faces.size()) + " of " +
+                     std::to_string(cage.surface.polygon_count()) +
+                     " cage faces have no area in this pose (first: face " + std::to_string(faces[0]) +
                      "); a minimum stretch is used for them");
 }
 

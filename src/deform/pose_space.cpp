@@ -14,7 +14,8 @@ constexpr double tells_turns = 0.5;
 LogSpace logs_of(const Cage& cage) {
   base::WorkerPool one(1);
   return LogSpace(
-      {cage.surface.positions, cage.surface.triangles, cage.degenerate, cage.parts, cage.roots.size()}, one);
+      {cage.elements.positions, cage.elements.triangles, cage.degenerate, cage.parts, cage.roots.size()},
+      one);
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ LogVector PoseSpace::vector(const Pose& pose, std::span<const Vec3> turns_before
   for (const MapLog& log : logs) vector.logs.push_back(numbers(log));
   vector.turns = std::move(report.turns);
   base::WorkerPool one(1);
-  logs_.complete(pose.positions, one, vector);
+  logs_.complete(with_centers(*cage_, pose.positions), one, vector);
   return vector;
 }
 
@@ -75,12 +76,14 @@ Pose PoseSpace::pose(std::span<const LogTerm> terms, const Held& held) const {
   base::WorkerPool one(1);
   LogSpace::Work work;
   logs_.shape(terms, held, one, work, pose.positions);
+  pose.positions.resize(cage_->surface.positions.size());
   return pose;
 }
 
 Pose PoseSpace::linear(std::span<const LogTerm> terms) const {
   Pose pose{std::vector<mesh::Point>(logs_.rest().size()), turns(terms)};
   logs_.linear(terms, pose.positions);
+  pose.positions.resize(cage_->surface.positions.size());
   return pose;
 }
 

@@ -11,7 +11,7 @@
 
 namespace viete::deform {
 
-/// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses
+/// Converts poses of one cage to vectors and back. Uses the cage's elements, even if a binding uses
 /// vertices. Logs cannot represent whole turns about another axis than the axis of the part's rotation, see
 /// choose_branches(). LogVector::wholes stores such turns. Thread-safe.
 class PoseSpace {

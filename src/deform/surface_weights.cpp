@@ -75,14 +75,14 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                       "choose the weights \"inverse\", or another model");
   }
   const mesh::PointTree tree(model.positions, std::move(used));
-  const auto& x = cage.surface.positions;
+  const auto& x = cage.elements.positions;
   OwnedVertices owned{std::vector<std::uint32_t>(handle_count(cage, elements), OwnedVertices::none),
                       std::vector<std::uint32_t>(model.positions.size(), 0),
                       {}};
   pool.for_blocks(owned.of_handle.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
-      const auto [t, weighs] = handle_shape(cage, elements, h);
-      if (weighs) owned.of_handle[h] = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
+      const auto [t, share] = handle_shape(cage, elements, h);
+      if (share > 0) owned.of_handle[h] = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
     }
   });
   for (const auto v : owned.of_handle) {
@@ -93,13 +93,13 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
 
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool) {
-  const auto& x = cage.surface.positions;
+  const auto& x = cage.elements.positions;
   const std::size_t k = owned.of_handle.size();
   std::vector<HandleShape> shapes;
   std::vector<mesh::Triangle> weighing;
   for (std::size_t h = 0; h < k; ++h) {
     shapes.push_back(handle_shape(cage, elements, h));
-    if (shapes[h].weighs) weighing.push_back(shapes[h].corners);
+    if (shapes[h].share > 0) weighing.push_back(shapes[h].corners);
   }
   if (weighing.empty()) return;
   const mesh::TriangleTree nearest_handle(x, weighing);
@@ -108,9 +108,9 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
   pool.for_blocks(members.size(), 1, [&](std::size_t body, std::size_t) {
     if (members[body].empty() || bodies.shares[body] * static_cast<double>(k) < least_body) return;
     const mesh::PointTree tree(model.positions, members[body]);
-    for (const auto& [t, weighs] : shapes) {
+    for (const auto& [t, share] : shapes) {
       found[body].push_back(OwnedVertices::none);
-      if (!weighs) continue;
+      if (share == 0) continue;
       const auto v = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
       const mesh::Point& p = model.positions[v];
       const double square = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;

@@ -26,7 +26,7 @@ inline constexpr std::size_t proxy_vertices = 40'000;
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
 /// Each handle owns the vertex nearest to it. Of equally near vertices, it owns the first.
-/// Vertices without triangles have no owner. Handles own no vertex if HandleShape::weighs is false.
+/// Vertices without triangles have no owner. Handles own no vertex if HandleShape::share is 0.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none

@@ -24,9 +24,9 @@ auto numbers(const Arrays& arrays) {
 }
 
 bool touches(const Cage& cage, std::span<const std::uint32_t> elements, const mesh::Point& p) {
-  const auto& x = cage.surface.positions;
+  const auto& x = cage.elements.positions;
   return std::any_of(elements.begin(), elements.end(), [&](std::uint32_t e) {
-    const auto& t = cage.surface.triangles[e];
+    const auto& t = cage.elements.triangles[e];
     return mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance <=
            cage.contact * cage.contact;
   });
@@ -42,7 +42,7 @@ Weigher::Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kerne
       scale_(std::exp2(-std::round(std::log2(cage.diagonal)))) {
   const auto centers = handle_centers(cage, weighting.elements);
   handles_ = relative_to(origin_, {centers.begin(), centers.end()});
-  for (const Vec3& p : cage.surface.positions) corners_.push_back(scaled(p));
+  for (const Vec3& p : cage.elements.positions) corners_.push_back(scaled(p));
   if (entry(weighting.weights).on_surface) return;
   weighting.weights == Weights::mean_value ? add_views() : add_triangles();
 }
@@ -53,10 +53,10 @@ Vec3 Weigher::scaled(const mesh::Point& p) const {
 
 void Weigher::add_triangles() {
   for (std::size_t h = 0; h < handles_.size(); ++h) {
-    const auto [t, weighs] = handle_shape(cage_, weighting_.elements, h);
+    const auto [t, share] = handle_shape(cage_, weighting_.elements, h);
     Vec3 origin;
     auto triangle = distance_triangle({corners_[t[0]], corners_[t[1]], corners_[t[2]]}, origin);
-    triangle.degenerate = !weighs;
+    triangle.share = share;
     triangles_.push_back(triangle);
     float_triangles_.push_back(in_float(triangle));
     origins_.push_back(origin);
@@ -96,7 +96,8 @@ void Weigher::add_views() {
 }
 
 std::size_t Weigher::scratch_size() const {
-  return bind_lanes * handles() + MeanValueJob::scratch_size(corners_.size(), edges_.size());
+  return bind_lanes * std::max(handles(), corners_.size()) +
+         MeanValueJob::scratch_size(corners_.size(), edges_.size());
 }
 
 unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
@@ -128,8 +129,9 @@ unsigned Weigher::weigh_mean_values(std::span<const mesh::Point, bind_lanes> poi
                                     std::span<double> scratch) const {
   unsigned unclear =
       kernel_.mean_value({numbers(corners_), corners_.size(), numbers(edges_), edges_.size(), views_.data(),
-                          views_.size(), at, scratch.data() + bind_lanes * handles()},
+                          views_.size(), at, scratch.data() + bind_lanes * corners_.size()},
                          scratch.data());
+  share_centers(cage_, scratch.data(), bind_lanes);
   for (std::size_t l = 0; l < bind_lanes; ++l)
     unclear |= unsigned(touches(cage_, without_area_, points[l])) << l;
   unsigned failed = 0;

@@ -190,14 +190,15 @@ namespace {
 
 // Returns the signed volume of each part, divided by the cube of the cage's diagonal. If the faces of a part
 // point outward, its volume is positive.
-std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
+std::vector<double> volumes(const deform::Cage& cage, std::span<const mesh::Point> of_vertices) {
+  const std::vector<mesh::Point> positions = deform::with_centers(cage, of_vertices);
+  const auto& triangles = cage.elements.triangles;
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
     if (cage.parts[e] >= all.size()) continue;
-    const auto& center = positions[cage.surface.triangles[cage.roots[cage.parts[e]]][0]];
+    const auto& center = positions[triangles[cage.roots[cage.parts[e]]][0]];
     mesh::Vec3 corners[3];
-    for (int i = 0; i < 3; ++i)
-      corners[i] = (1 / cage.diagonal) * (positions[cage.surface.triangles[e][i]] - center);
+    for (int i = 0; i < 3; ++i) corners[i] = (1 / cage.diagonal) * (positions[triangles[e][i]] - center);
     all[cage.parts[e]] += mesh::dot(corners[0], mesh::cross(corners[1], corners[2])) / 6;
   }
   return all;
@@ -227,25 +228,28 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
                                     const deform::Pose& pose) {
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
-    notes.push_back(base::counted(report.collapsed.size(), "face") + " of the cage collapsed (first: face " +
-                    std::to_string(report.collapsed.front()) + "); a minimum stretch is used there");
+    const Elements faces = faces_of(cage.elements, report.collapsed);
+    notes.push_back(base::counted(faces.size(), "face") + " of the cage collapsed (first: face " +
+                    std::to_string(faces.front()) + "); a minimum stretch is used there");
   }
   if (report.torn.empty()) return notes;
   const std::size_t inside_out = parts_inside_out(cage, pose);
   if (inside_out > 0) notes.push_back(inside_out_note(inside_out, cage.roots.size()));
   if (inside_out < cage.roots.size()) {
-    const auto& [a, b] = report.torn.front();
-    notes.push_back(
-        base::counted(report.torn.size(), "pair") +
-        " of neighbouring cage faces rotated more than 120 degrees relative to each other (first: faces " +
-        std::to_string(a) + ", " + std::to_string(b) + "); the model may fold there");
+    const auto a = cage.polygon_of(report.torn.front()[0]), b = cage.polygon_of(report.torn.front()[1]);
+    const std::string first =
+        a == b ? "within face " + std::to_string(a) : "faces " + std::to_string(a) + ", " + std::to_string(b);
+    notes.push_back(base::counted(report.torn.size(), "pair") +
+                    " of neighbouring cage faces rotated more than 120 degrees relative to each other "
+                    "(first: " +
+                    first + "); the model may fold there");
   }
   return notes;
 }
 
 std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
                                                      const deform::Cage& cage, std::size_t most) {
-  const auto& triangles = cage.surface.triangles;
+  const auto& triangles = cage.elements.triangles;
   std::vector<std::array<std::uint32_t, 2>> edges;
   for (const auto& [a, b] : report.torn | std::views::take(most)) {
     if (std::max(a, b) >= triangles.size()) continue;
@@ -253,7 +257,9 @@ std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& re
     std::ranges::copy_if(triangles[a], std::back_inserter(ends), [&, other = b](std::uint32_t v) {
       return std::ranges::count(triangles[other], v) > 0;
     });
-    if (ends.size() == 2) edges.push_back({ends[0], ends[1]});
+    const bool in_polygon =
+        std::ranges::any_of(ends, [&](auto v) { return v >= cage.surface.positions.size(); });
+    if (ends.size() == 2 && !in_polygon) edges.push_back({ends[0], ends[1]});
   }
   return edges;
 }

@@ -68,7 +68,8 @@ std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
     const auto part = cage.parts[e];
     if (part >= of_part.size()) continue;
-    for (const auto v : cage.surface.triangles[e]) {
+    for (const auto v : cage.elements.triangles[e]) {
+      if (v >= of_vertex.size()) continue;  // the center of a polygon
       const bool first = !seen[part];
       seen[part] = true;
       of_part[part] = first || of_part[part] == of_vertex[v] ? of_vertex[v] : none;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "mesh/half_edges.h"
@@ -88,8 +89,9 @@ private:
 
 // Returns the corners in an order that does not depend on the polygon's first corner and direction.
 // The second value is true if the list has the direction of the polygon.
-std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
-  std::vector<std::uint32_t> forward(corners.begin(), corners.end());
+std::pair<std::vector<std::uint32_t>, bool> outline(const Surface& joined, std::size_t polygon) {
+  const auto at = [&](std::size_t p) { return joined.corners.begin() + joined.polygon_starts[p]; };
+  std::vector<std::uint32_t> forward(at(polygon), at(polygon + 1));
   std::ranges::rotate(forward, std::ranges::min_element(forward));
   std::vector<std::uint32_t> backward = forward;
   std::reverse(backward.begin() + 1, backward.end());
@@ -102,8 +104,7 @@ std::vector<std::uint8_t> backs(const Surface& joined) {
   std::map<std::vector<std::uint32_t>, bool> seen;
   std::vector<std::uint8_t> is_back(joined.polygon_count(), 0);
   for (std::size_t p = 0; p < is_back.size(); ++p) {
-    const auto first = joined.polygon_starts[p], end = joined.polygon_starts[p + 1];
-    auto [corners, ahead] = outline(std::span(joined.corners).subspan(first, end - first));
+    auto [corners, ahead] = outline(joined, p);
     const auto [known, is_new] = seen.try_emplace(std::move(corners), ahead);
     is_back[p] = !is_new && known->second != ahead;
   }
@@ -169,6 +170,15 @@ Surface welded(const Surface& surface) {
     for (auto& v : t) v = lowest[v];
   }
   return result;
+}
+
+std::vector<std::uint8_t> repeated_polygons(const Surface& surface) {
+  const Surface joined = welded(surface);
+  std::set<std::pair<std::vector<std::uint32_t>, bool>> seen;
+  std::vector<std::uint8_t> repeated;
+  for (std::size_t p = 0; p < joined.polygon_count(); ++p)
+    repeated.push_back(!seen.insert(outline(joined, p)).second);
+  return repeated;
 }
 
 Surface consistently_oriented(const Surface& surface) {

@@ -39,7 +39,7 @@ TEST_CASE("open_misoriented_and_touching_cages_warn") {
   fewer.pop_back();
   std::swap(flipped[3][0], flipped[3][1]);
   for (const auto& [surface, warning] :
-       {std::pair{from_triangles(box().positions, fewer), "3 cage edges have only one triangle"},
+       {std::pair{from_triangles(box().positions, fewer), "3 cage edges have only one face"},
         {from_triangles(box().positions, flipped), "opposite orientation"},
         {together(box(), box({1, 1, 1}, {2, 2, 0})), "touch"}}) {
     const Cage cage = make_cage(surface);

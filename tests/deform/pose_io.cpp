@@ -98,7 +98,7 @@ TEST_CASE("other_faces_collapsed_elements_and_odd_turns_warn") {
   const Pose pose = read(folder / "collapsed.obj", cage, warnings);
   CHECK(pose.positions == collapsed.positions);
   CHECK(std::any_of(warnings.begin(), warnings.end(),
-                    [](const auto& w) { return mentions(w, "12 of 12 cage triangles"); }));
+                    [](const auto& w) { return mentions(w, "12 of 12 cage faces"); }));
 
   for (const char* line : {"viete turns: part 7: 1 2 3", "viete turns: part 0: 1 2",
                            "viete turns: part 0: 1 2 nan", "viete turns: x"}) {

@@ -260,7 +260,7 @@ TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_
   const auto alone = f.viete("info fin.obj"), around = f.viete("info model.obj --cage fin.obj");
   CHECK(mentions(alone, "1 edge with more than two faces\n"));
   CHECK(mentions(alone, "edge 6-7\n"));
-  CHECK(mentions(around, "finding     the cage has a fin: an odd number of triangles share edge 6-7"));
+  CHECK(mentions(around, "finding     the cage has a fin: an odd number of faces share edge 6-7"));
   CHECK(mentions(around, "cage: 1 edge with more than two faces"));
   CHECK_FALSE(mentions(f.viete("info model.obj --cage cage.obj"), "has a fin"));
 }

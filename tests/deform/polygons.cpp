@@ -1,0 +1,180 @@
+// Results depend on the polygons of cage and model, and not on their triangles or order.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "deform/bound.h"
+#include "support/random.h"
+#include "support/shapes.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+using Faces = std::vector<std::vector<std::uint32_t>>;
+
+mesh::Surface polygons(std::vector<mesh::Point> positions, const Faces& faces) {
+  mesh::Surface s{std::move(positions), {}, {0}, {}, {}, {}};
+  for (const auto& face : faces) {
+    s.corners.insert(s.corners.end(), face.begin(), face.end());
+    s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
+  }
+  mesh::triangulate(s);
+  return s;
+}
+
+Faces faces_of(const mesh::Surface& s) {
+  Faces faces;
+  for (std::size_t p = 0; p < s.polygon_count(); ++p)
+    faces.emplace_back(s.corners.begin() + s.polygon_starts[p], s.corners.begin() + s.polygon_starts[p + 1]);
+  return faces;
+}
+
+// Returns a prism along z around the unit ball. Its first face is the ring at the bottom, then the sides.
+mesh::Surface prism(const std::vector<std::array<double, 2>>& ring) {
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  std::vector<mesh::Point> positions;
+  for (const double z : {-1.3, 1.3})
+    for (const auto& [x, y] : ring) positions.push_back({x, y, z});
+  Faces faces(2);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    faces[0].insert(faces[0].begin(), i), faces[1].push_back(n + i);
+    faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+  }
+  return polygons(std::move(positions), faces);
+}
+
+// A cube; a cube with a vertex in the middle of an edge; prisms: over a hexagon, an L and a deep notch.
+std::vector<mesh::Surface> polygon_cages() {
+  const mesh::Surface cube = moved(test::cube(), 1.2);
+  auto faces = faces_of(cube);
+  faces[0] = {0, 2, 3, 1, 8}, faces[2] = {0, 8, 1, 5, 4};
+  auto positions = cube.positions;
+  positions.push_back({0, -1.2, -1.2});
+  return {cube, polygons(positions, faces),
+          prism({{1.4, 0}, {0.7, 1.3}, {-0.7, 1.3}, {-1.4, 0}, {-0.7, -1.3}, {0.7, -1.3}}),
+          prism({{-1.2, -1.2}, {3, -1.2}, {3, 1.2}, {1.2, 1.2}, {1.2, 3}, {-1.2, 3}}),
+          prism({{-1.2, -1.2}, {1.2, -1.2}, {1.2, 5}, {0.8, 5}, {0, 1.2}, {-0.4, 5}, {-1.2, 5}})};
+}
+
+std::vector<mesh::Point> deformed(const mesh::Surface& model, const mesh::Surface& cage,
+                                  const std::vector<mesh::Point>& pose, const Scheme& scheme) {
+  base::WorkerPool pool(1);
+  return deform_exactly(model, std::make_shared<const Cage>(make_cage(cage)), scheme, {pose, {}},
+                        sym3::Method::diag, pool)
+      .positions;
+}
+
+std::vector<Scheme> every_scheme() {
+  auto schemes = valid_schemes();
+  for (const WayEntry& way : all_ways()) schemes.push_back(way.scheme);
+  return schemes;
+}
+
+mesh::Surface jittered(mesh::Surface s, double by) {
+  Random random(7);
+  for (auto& p : s.positions) p = p + random.vector(by);
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("no_deformer_depends_on_the_first_corners_or_the_order_of_the_cages_faces") {
+  const mesh::Surface model = jittered(test::sphere(2), 0.01);
+  for (const mesh::Surface& cage : polygon_cages()) {
+    const auto pose = jittered(cage, 0.4).positions;
+    auto faces = faces_of(cage);
+    std::ranges::reverse(faces);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      std::ranges::rotate(faces[f], faces[f].begin() + 1 + static_cast<std::ptrdiff_t>(f % 3));
+    const mesh::Surface other = polygons(cage.positions, faces);
+    for (const Scheme& scheme : every_scheme()) {
+      CAPTURE(text(scheme));
+      CAPTURE(cage.positions.size());
+      const auto one = deformed(model, cage, pose, scheme);
+      CHECK(largest_distance(one, deformed(model, other, pose, scheme)) < 1e-12);
+      CHECK((scheme.weighting.partial() || largest_distance(one, model.positions) > 0.05));
+    }
+  }
+}
+
+TEST_CASE("affine_poses_of_polygon_cages_are_exact_and_unmoved_ones_keep_every_vertex") {
+  for (const mesh::Surface& cage : polygon_cages()) {
+    for (const Scheme& scheme : whole_schemes()) {
+      CAPTURE(text(scheme));
+      Bound b(test::sphere(2), jittered(cage, 0.02), scheme.weighting, 1, scheme.blend);
+      CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
+      CHECK(b.error(similarity({1, -2, 3}, 40 * degree, 1.0, {2, 1, -1})) < 1e-12);
+      const bool promised =
+          scheme.weighting.weights == Weights::mean_value || scheme.blend == Blend::mls_affine;
+      if (promised) CHECK(b.error(shear()) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("splitting_at_the_center_changes_no_triangle_and_counts_a_quad_as_two_triangles") {
+  const Cage triangles = make_cage(test::sphere(1)), quads = make_cage(test::cube());
+  CHECK(triangles.elements.triangles == triangles.surface.triangles);
+  CHECK(triangles.elements.positions == triangles.surface.positions);
+  CHECK(quads.element_count() == 24);
+  CHECK(quads.closed);
+  for (std::size_t e = 0; e < 24; ++e) CHECK(handle_shape(quads, Elements::face, e).share == 0.5);
+}
+
+TEST_CASE("mean_value_coordinates_are_continuous_across_the_faces_of_polygon_cages") {
+  for (const mesh::Surface& cage : polygon_cages()) {
+    const Cage c = make_cage(jittered(cage, 0.02));
+    std::vector<double> on(c.surface.positions.size()), beside(on.size());
+    for (std::size_t e = 0; e < c.element_count(); ++e) {
+      if (c.degenerate[e]) continue;
+      const Vec3 inward = -1e-7 * c.bases[e].n;
+      CHECK(mean_value_weights(c, c.centers[e], on));
+      CHECK(mean_value_weights(c, c.centers[e] + inward, beside));
+      for (std::size_t j = 0; j < on.size(); ++j) CHECK(std::abs(on[j] - beside[j]) < 1e-4);
+    }
+  }
+}
+
+TEST_CASE("a_repeated_face_of_a_cage_is_ignored_with_a_note") {
+  auto faces = faces_of(test::cube());
+  faces.push_back({faces[2][1], faces[2][2], faces[2][3], faces[2][0]});
+  const mesh::Surface once = moved(test::cube(), 1.2), twice = polygons(once.positions, faces);
+  const Cage cage = make_cage(twice);
+  REQUIRE(cage.warnings.size() == 1);
+  CHECK(cage.warnings[0] == "1 cage face repeats another face and is ignored: 6");
+  CHECK(cage.closed);
+  const mesh::Surface model = jittered(test::sphere(2), 0.01);
+  const auto pose = jittered(once, 0.3).positions;
+  for (const WayEntry& way : all_ways())
+    CHECK(largest_distance(deformed(model, twice, pose, way.scheme), deformed(model, once, pose, way.scheme)) < 1e-13);
+}
+
+TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically") {
+  const mesh::Surface cage = moved(test::cube(), 1.2);
+  auto pose = cage.positions;
+  for (auto& p : pose)
+    p = {p[0] * (1 + 0.3 * p[1]), p[1] + 0.4 * p[2] * p[2] * p[1], p[2] + 0.5 * p[0] * p[0]};
+  pose[2] = pose[2] + Vec3{0.2, 0.5, -0.3}, pose[3] = pose[3] + Vec3{-0.2, 0.5, -0.3};  // mirror images
+  for (const int levels : {2, 3}) {
+    const mesh::Surface ball = test::sphere(levels);
+    const auto image = [](const Vec3& p) { return Vec3{-p[0], p[1], p[2]}; };
+    std::vector<std::size_t> mirrored;
+    for (const auto& p : ball.positions)
+      mirrored.push_back(
+          static_cast<std::size_t>(std::ranges::find(ball.positions, image(p)) - ball.positions.begin()));
+    const auto map = similarity({1, 2, -1}, 37 * degree, 1, {0.3, -1, 2});
+    for (const Scheme& scheme : every_scheme()) {
+      CAPTURE(text(scheme));
+      CAPTURE(levels);
+      const auto there = deformed(ball, cage, pose, scheme);
+      std::vector<mesh::Point> images;
+      for (const auto v : mirrored) images.push_back(image(there[v]));
+      CHECK(largest_distance(there, images) < 1e-11);
+      const auto turned = deformed(mapped(ball, map), mapped(cage, map), mapped(pose, map), scheme);
+      CHECK(largest_distance(turned, mapped(there, map)) < 1e-11);
+      const auto noisy = deformed(jittered(ball, 1e-12), cage, pose, scheme);
+      CHECK(largest_distance(noisy, there) < 1e-9);
+    }
+  }
+}
