@@ -28,7 +28,7 @@ public:
   explicit Polygons(const Surface& cage) : positions_(cage.positions), around_(cage.positions.size()) {
     for (std::uint32_t v = 0; v < positions_.size(); ++v) origins_.push_back({{v}});
     for (std::size_t p = 0; p < cage.polygon_count(); ++p)
-      put({cage.corners.begin() + cage.polygon_starts[p], cage.corners.begin() + cage.polygon_starts[p + 1]});
+      put({cage.polygon(p).begin(), cage.polygon(p).end()});
   }
 
   std::vector<Polygon> all;  // a removed polygon is empty
@@ -135,7 +135,7 @@ bool is_about_its_middle(const Polygons& cage, const Polygon& p) {
   for (const Point& at : fan) sum = sum + at;
   fan.push_back(fan.front());
   fan.insert(fan.begin(), (1 / static_cast<double>(p.size())) * sum);
-  return mesh::covers(fan);
+  return mesh::is_fan(fan);
 }
 
 Vec3 area_of(const Polygons& cage, const Polygon& p) {

@@ -200,11 +200,6 @@ std::string listed(const std::vector<std::size_t>& elements) {
   return elements.size() > 5 ? text + ", ..." : text;
 }
 
-std::span<const std::uint32_t> corners_of(const mesh::Surface& surface, std::size_t polygon) {
-  const auto first = surface.polygon_starts[polygon], end = surface.polygon_starts[polygon + 1];
-  return std::span(surface.corners).subspan(first, end - first);
-}
-
 Vec3 mean_of(std::span<const std::uint32_t> corners, std::span<const mesh::Point> positions) {
   const mesh::Point& first = positions[corners[0]];
   Vec3 sum{0, 0, 0};
@@ -212,44 +207,28 @@ Vec3 mean_of(std::span<const std::uint32_t> corners, std::span<const mesh::Point
   return first + (1 / static_cast<double>(corners.size())) * sum;
 }
 
-// True if the center is inside of all sides by a margin. The margin is relative to the polygon's width.
-bool surrounds(std::span<const std::uint32_t> corners, const Vec3& center, const mesh::Surface& surface) {
-  constexpr double margin = 0.02;
-  double extent = 0;
-  for (const auto v : corners) extent = std::max(extent, largest_abs(surface.positions[v] - center));
-  const auto arm = [&](std::size_t i) {
-    return (1 / extent) * (surface.positions[corners[i % corners.size()]] - center);
-  };
-  Vec3 area{0, 0, 0};
-  for (std::size_t i = 0; extent > 0 && i < corners.size(); ++i) area = area + cross(arm(i), arm(i + 1));
-  const double width = norm(area);
-  for (std::size_t i = 0; width > 0 && i < corners.size(); ++i)
-    if (dot(cross(arm(i), arm(i + 1)), area) < margin * width * width * norm(arm(i + 1) - arm(i)))
-      return false;
-  return true;
-}
-
+// Adds triangles around the center or, if they do not cover the polygon, triangles of the polygon.
 void add_triangles(Cage& cage, std::uint32_t polygon) {
-  const auto add = [&](const mesh::Triangle& t) {
-    cage.elements.triangles.push_back(t);
+  const auto corners = cage.surface.polygon(polygon);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    cage.elements.triangles.push_back({a, b, c});
     cage.elements.triangle_polygon.push_back(polygon);
   };
-  const auto corners = corners_of(cage.surface, polygon);
-  if (corners.size() == 3) return add({corners[0], corners[1], corners[2]});
-  const Vec3 center = mean_of(corners, cage.surface.positions);
-  if (surrounds(corners, center, cage.surface)) {
-    const auto middle = static_cast<std::uint32_t>(cage.elements.positions.size());
-    cage.elements.positions.push_back(center);
-    cage.split.push_back(polygon);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      if (corners[i] != corners[(i + 1) % corners.size()])
-        add({middle, corners[i], corners[(i + 1) % corners.size()]});
-    return;
-  }
+  if (corners.size() == 3) return add(corners[0], corners[1], corners[2]);
   std::vector<std::uint32_t> ring(corners.begin(), corners.end());
   std::ranges::rotate(ring, std::ranges::min_element(ring));
-  const auto places = mesh::picked<mesh::Point>(cage.surface.positions, ring);
-  for (const auto& [i, j, k] : mesh::triangulation(places)) add({ring[i], ring[j], ring[k]});
+  std::vector<mesh::Point> places = mesh::picked<mesh::Point>(cage.surface.positions, ring);
+  std::vector<mesh::Point> fan{mean_of(corners, cage.surface.positions)};
+  fan.insert(fan.end(), places.begin(), places.end());
+  fan.push_back(places[0]);
+  if (!mesh::is_fan(fan)) {
+    for (const auto& [i, j, k] : mesh::triangulation(places)) add(ring[i], ring[j], ring[k]);
+    return;
+  }
+  const auto center = static_cast<std::uint32_t>(cage.elements.positions.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) add(center, ring[i], ring[(i + 1) % ring.size()]);
+  cage.elements.positions.push_back(fan[0]);
+  cage.split.push_back(polygon);
 }
 
 void split_polygons(Cage& cage) {
@@ -353,7 +332,7 @@ Cage make_cage(mesh::Surface surface) {
   split_polygons(cage);
   add_elements(cage);
   cage.diagonal = mesh::used_bounds(cage.surface).diagonal();
-  cage.size = mesh::used_size(cage.surface);
+  cage.size = mesh::used_size(cage.elements);
   cage.contact =
       1e-14 * cage.diagonal + 4 * std::numeric_limits<double>::epsilon() * largest_coordinate(cage.surface);
   connect(cage);
@@ -362,7 +341,7 @@ Cage make_cage(mesh::Surface surface) {
 
 std::vector<mesh::Point> with_centers(const Cage& cage, std::span<const mesh::Point> positions) {
   std::vector<mesh::Point> all(positions.begin(), positions.end());
-  for (const auto p : cage.split) all.push_back(mean_of(corners_of(cage.surface, p), positions));
+  for (const auto p : cage.split) all.push_back(mean_of(cage.surface.polygon(p), positions));
   return all;
 }
 

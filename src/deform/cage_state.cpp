@@ -150,13 +150,10 @@ Rows CageState::rows() const {
 }
 
 void CageState::begin_drag(std::span<const std::uint32_t> vertices) {
-  const mesh::Surface& surface = cage_->surface;
-  std::vector<bool> moves(surface.positions.size());
+  std::vector<bool> moves(cage_->surface.positions.size());
   for (const auto v : vertices) moves[v] = true;
   const auto polygon_moves = [&](std::uint32_t p) {
-    const auto first = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
-    return std::any_of(surface.corners.begin() + first, surface.corners.begin() + end,
-                       [&](auto v) { return moves[v]; });
+    return std::ranges::any_of(cage_->surface.polygon(p), [&](auto v) { return moves[v]; });
   };
   moving_.clear();
   ++resting_revision_;

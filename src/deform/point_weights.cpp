@@ -104,8 +104,7 @@ HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle
   const mesh::Triangle& corners = cage.elements.triangles[h];
   if (cage.degenerate[h]) return {corners, 0};
   if (corners[0] < cage.surface.positions.size()) return {corners, 1};
-  const auto* start = cage.surface.polygon_starts.data() + cage.polygon_of(h);
-  const double n = start[1] - start[0];
+  const auto n = static_cast<double>(cage.surface.polygon(cage.polygon_of(h)).size());
   return {corners, (n - 2) / n};
 }
 
@@ -250,11 +249,10 @@ bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double
 void share_centers(const Cage& cage, double* weights, std::size_t lanes) {
   for (std::size_t i = 0; i < cage.split.size(); ++i) {
     const double* of_center = weights + (cage.surface.positions.size() + i) * lanes;
-    const auto first = cage.surface.polygon_starts[cage.split[i]];
-    const auto end = cage.surface.polygon_starts[cage.split[i] + 1];
-    for (auto c = first; c < end; ++c)
+    const auto corners = cage.surface.polygon(cage.split[i]);
+    for (const auto v : corners)
       for (std::size_t l = 0; l < lanes; ++l)
-        weights[cage.surface.corners[c] * lanes + l] += of_center[l] / (end - first);
+        weights[v * lanes + l] += of_center[l] / static_cast<double>(corners.size());
   }
 }
 

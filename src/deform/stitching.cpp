@@ -87,15 +87,15 @@ private:
     for (const auto& pins : found) pins_.insert(pins_.end(), pins.begin(), pins.end());
   }
 
-  // Returns the nearest triangle that is not thin, or the number of triangles if all are thin. If triangles
-  // are equally near up to rounding, returns the triangle with the nearest centre.
-  std::size_t nearest_triangle(const mesh::Point& point) const {
+  // Returns the nearest triangles that are not thin. If triangles are equally near up to rounding, returns
+  // those of them with the nearest centre.
+  std::vector<std::size_t> nearest_triangles(const mesh::Point& point) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& p = model_.positions;
+    const double slack = indistinguishable * cage_.diagonal;
     double least = infinity, nearest_center = infinity;
-    std::size_t nearest = model_.triangles.size();
+    std::vector<std::pair<double, std::size_t>> near;  // distances of centres, and triangles
     for (const bool finds_distance : {true, false}) {
-      const double slack = finds_distance ? 0 : indistinguishable * cage_.diagonal;
       for (std::size_t t = 0; t < model_.triangles.size(); ++t) {
         if (thin_[t]) continue;
         const auto& [a, b, c] = model_.triangles[t];
@@ -107,19 +107,23 @@ private:
         if (finds_distance) {
           least = std::min(least, distance);
         } else if (distance <= least + slack) {
-          const double center = squared_norm(point - (1.0 / 3) * (p[a] + p[b] + p[c]));
-          if (center < nearest_center) nearest_center = center, nearest = t;
+          near.push_back({norm(point - (1.0 / 3) * (p[a] + p[b] + p[c])), t});
+          nearest_center = std::min(nearest_center, near.back().first);
         }
       }
     }
+    std::vector<std::size_t> nearest;
+    for (const auto& [center, t] : near)
+      if (center <= nearest_center + slack) nearest.push_back(t);
     return nearest;
   }
 
   std::vector<Stitching::Pin> pins_of(std::uint32_t handle, const mesh::Point& center) const {
     std::vector<Stitching::Pin> pins;
-    const std::size_t t = nearest_triangle(center);
-    if (t < model_.triangles.size()) {
-      for (const auto v : model_.triangles[t]) pins.push_back({v, handle, pin_strength});
+    const auto triangles = nearest_triangles(center);
+    for (const std::size_t t : triangles) {
+      for (const auto v : model_.triangles[t])
+        pins.push_back({v, handle, pin_strength / static_cast<double>(triangles.size())});
     }
     const double radius = holding_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {

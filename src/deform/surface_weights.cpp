@@ -24,6 +24,12 @@ constexpr double spring_per_handle = 1;
 constexpr double least_body = 0.1;
 // A handle is near a vertex up to this multiple of the distance from the vertex to its nearest handle.
 constexpr double as_near = 4;
+// Distances are equal if they differ by less than this multiple of the cage's diagonal. Files often have only
+// seven digits.
+constexpr double equally_near = 1e-6;
+// A handle owns only the first of more equally near vertices than this, for example on a circle, because
+// ThinPlate factors a dense matrix of all owned vertices.
+constexpr std::size_t most_shared = 64;
 
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   std::vector<bool> is_used(surface.positions.size(), false);
@@ -65,6 +71,25 @@ std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatri
   return source;
 }
 
+// Returns the vertices that a handle owns, see OwnedVertices. Its distance decides, then its center.
+std::vector<OwnedVertices::Owned> nearest_to_handle(const mesh::Surface& model, const mesh::PointTree& tree,
+                                                    const Cage& cage, Elements elements, std::size_t handle) {
+  const auto [t, share] = handle_shape(cage, elements, handle);
+  if (share == 0) return {};
+  const auto& x = cage.elements.positions;
+  const double slack = equally_near * cage.diagonal;
+  const auto near = tree.all_nearest(x[t[0]], x[t[1]], x[t[2]], slack);
+  const mesh::Point center = handle_centers(cage, elements)[handle];
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto v : near) least = std::min(least, norm(model.positions[v] - center));
+  std::vector<OwnedVertices::Owned> owned;
+  for (const auto v : near)
+    if (norm(model.positions[v] - center) <= least + slack) owned.push_back({v, 1});
+  if (owned.size() > most_shared) owned.resize(1);
+  for (auto& one : owned) one.part = 1 / static_cast<double>(owned.size());
+  return owned;
+}
+
 }  // namespace
 
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
@@ -75,19 +100,14 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                       "choose the weights \"inverse\", or another model");
   }
   const mesh::PointTree tree(model.positions, std::move(used));
-  const auto& x = cage.elements.positions;
-  OwnedVertices owned{std::vector<std::uint32_t>(handle_count(cage, elements), OwnedVertices::none),
-                      std::vector<std::uint32_t>(model.positions.size(), 0),
-                      {}};
+  OwnedVertices owned{std::vector<std::vector<OwnedVertices::Owned>>(handle_count(cage, elements)),
+                      std::vector<double>(model.positions.size(), 0)};
   pool.for_blocks(owned.of_handle.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t h = begin; h < end; ++h) {
-      const auto [t, share] = handle_shape(cage, elements, h);
-      if (share > 0) owned.of_handle[h] = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
-    }
+    for (std::size_t h = begin; h < end; ++h)
+      owned.of_handle[h] = nearest_to_handle(model, tree, cage, elements, h);
   });
-  for (const auto v : owned.of_handle) {
-    if (v != OwnedVertices::none) ++owned.owners[v];
-  }
+  for (const auto& of_one : owned.of_handle)
+    for (const auto& [v, part] : of_one) owned.owners[v] += part;
   return owned;
 }
 
@@ -95,34 +115,37 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
                    Elements elements, base::WorkerPool& pool) {
   const auto& x = cage.elements.positions;
   const std::size_t k = owned.of_handle.size();
-  std::vector<HandleShape> shapes;
   std::vector<mesh::Triangle> weighing;
   for (std::size_t h = 0; h < k; ++h) {
-    shapes.push_back(handle_shape(cage, elements, h));
-    if (shapes[h].share > 0) weighing.push_back(shapes[h].corners);
+    const auto [t, share] = handle_shape(cage, elements, h);
+    if (share > 0) weighing.push_back(t);
   }
   if (weighing.empty()) return;
   const mesh::TriangleTree nearest_handle(x, weighing);
-  std::vector<std::vector<std::uint32_t>> members(bodies.shares.size()), found(members.size());
+  std::vector<std::vector<std::uint32_t>> members(bodies.shares.size());
+  std::vector<std::vector<std::vector<OwnedVertices::Owned>>> found(members.size());
   for (const auto v : used_vertices(model)) members[bodies.of_vertex[v]].push_back(v);
   pool.for_blocks(members.size(), 1, [&](std::size_t body, std::size_t) {
     if (members[body].empty() || bodies.shares[body] * static_cast<double>(k) < least_body) return;
     const mesh::PointTree tree(model.positions, members[body]);
-    for (const auto& [t, share] : shapes) {
-      found[body].push_back(OwnedVertices::none);
-      if (share == 0) continue;
-      const auto v = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
-      const mesh::Point& p = model.positions[v];
-      const double square = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
-      if (square <= as_near * as_near * nearest_handle.nearest(p).squared_distance) found[body].back() = v;
+    for (std::size_t h = 0; h < k; ++h) {
+      auto& near = found[body].emplace_back(nearest_to_handle(model, tree, cage, elements, h));
+      std::erase_if(near, [&, t = handle_shape(cage, elements, h).corners](const auto& one) {
+        const mesh::Point& p = model.positions[one.vertex];
+        const double square = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
+        return square > as_near * as_near * nearest_handle.nearest(p).squared_distance;
+      });
     }
   });
-  owned.elsewhere.resize(k);
   for (std::size_t h = 0; h < k; ++h) {
+    const auto first = owned.of_handle[h];
     for (const auto& of_body : found) {
-      if (of_body.empty() || of_body[h] == OwnedVertices::none || of_body[h] == owned.of_handle[h]) continue;
-      owned.elsewhere[h].push_back(of_body[h]);
-      ++owned.owners[of_body[h]];
+      if (of_body.empty()) continue;
+      for (const auto& one : of_body[h]) {
+        if (std::ranges::count(first, one.vertex, &OwnedVertices::Owned::vertex)) continue;
+        owned.of_handle[h].push_back(one);
+        owned.owners[one.vertex] += one.part;
+      }
     }
   }
 }
@@ -138,6 +161,9 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(0);
   std::vector<double> springs(joined.positions.size(), spring_per_handle * static_cast<double>(handles()));
   couple_parts(joined, cage, weighting, springs, pool);
+  // The springs of equally near vertices are together as strong as that of a single vertex.
+  for (std::size_t v = 0; v < springs.size(); ++v)
+    if (owned_.owners[v] > 0) springs[v] *= std::min(1.0, owned_.owners[v]);
   std::vector<bool> is_owned(owned_.owners.size());
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
   const HeldParts held = held_parts(laplacian_.stiffness, is_owned);
@@ -183,24 +209,20 @@ std::vector<ThinPlate::Load> SurfaceSystem::loads() const {
   std::vector<ThinPlate::Load> loads;
   for (std::size_t h = 0; h < handles(); ++h) {
     loads.emplace_back();
-    const auto add = [&](std::uint32_t v) { loads.back().push_back({v, 1.0 / owned_.owners[v]}); };
-    if (owned_.of_handle[h] != OwnedVertices::none) add(owned_.of_handle[h]);
-    if (!owned_.elsewhere.empty()) std::ranges::for_each(owned_.elsewhere[h], add);
+    for (const auto& owned : owned_.of_handle[h]) loads.back().push_back({owned.vertex, owned_.value(owned)});
   }
   return loads;
 }
 
 void SurfaceSystem::set_right_hand_side(std::size_t handle, std::size_t column,
                                         std::span<double> block) const {
-  const auto set = [&](std::uint32_t v) {
-    const double value = 1.0 / owned_.owners[v];
-    block[solver_->place(v) + column] = value;
-    for_column(laplacian_.stiffness, v, [&](std::uint32_t other, double entry) {
+  for (const auto& owned : owned_.of_handle[handle]) {
+    const double value = owned_.value(owned);
+    block[solver_->place(owned.vertex) + column] = value;
+    for_column(laplacian_.stiffness, owned.vertex, [&](std::uint32_t other, double entry) {
       if (owned_.owners[other] == 0) block[solver_->place(other) + column] -= entry * value;
     });
-  };
-  if (owned_.of_handle[handle] != OwnedVertices::none) set(owned_.of_handle[handle]);
-  if (!owned_.elsewhere.empty()) std::ranges::for_each(owned_.elsewhere[handle], set);
+  }
 }
 
 void SurfaceSystem::solve_block(std::size_t begin, std::size_t end, std::span<double> block) const {

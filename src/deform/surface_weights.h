@@ -25,14 +25,19 @@ inline constexpr std::size_t proxy_vertices = 40'000;
 /// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// Each handle owns the vertex nearest to it. Of equally near vertices, it owns the first.
-/// Vertices without triangles have no owner. Handles own no vertex if HandleShape::share is 0.
+/// Each handle owns the vertex nearest to it. Of vertices that are equally near up to rounding errors, it
+/// owns the one nearest to its center; if several are, it owns each of them in part. Vertices without
+/// triangles have no owner. Handles own no vertex if HandleShape::share is 0.
 struct OwnedVertices {
-  static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none
-  std::vector<std::uint32_t> owners;     ///< number of owning handles per vertex
-  /// For each handle: additional vertices, one in each near body. Empty if there is only one body.
-  std::vector<std::vector<std::uint32_t>> elsewhere;
+  struct Owned {
+    std::uint32_t vertex;
+    double part;  ///< 1 / (number of equally near vertices)
+  };
+  std::vector<std::vector<Owned>> of_handle;  ///< several vertices also if several bodies are near
+  std::vector<double> owners;                 ///< the sum of the parts that handles own of each vertex
+
+  /// Returns t of SurfaceSystem for the handle that owns `owned`.
+  double value(const Owned& owned) const { return owned.part / owners[owned.vertex]; }
 };
 
 /// Finds the vertices by exact distances. Throws base::Error if the model has no triangles.
@@ -49,8 +54,9 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 /// Solves for the weights of sixteen handles at a time. The caller stores the weights.
 ///
 /// The `harmonic` weights w of a handle are fixed at owned vertices: w = t, with t = 1 / (number of owners)
-/// if the handle owns the vertex, otherwise t = 0. At vertices that no handle owns, L * w = 0, with L of
-/// intrinsic_laplacian(). L has no negative edge weights, so w is in [0, 1] up to rounding.
+/// if the handle owns the vertex, otherwise t = 0. Owners in part count as fractions. At vertices that no
+/// handle owns, L * w = 0, with L of intrinsic_laplacian(). L has no negative edge weights, so w is in [0, 1]
+/// up to rounding.
 ///
 /// `biharmonic` weights minimise
 ///

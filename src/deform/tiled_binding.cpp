@@ -258,7 +258,7 @@ private:
   }
 
   LeafClusters clusters_of(std::size_t leaf, LeafWeights& w) const {
-    constexpr auto none = OwnedVertices::none;
+    constexpr auto none = mesh::none;
     LeafClusters result;
     w.places.resize(proxy_->proxy().surface().positions.size(), none);
     std::vector<SurfaceProxy::Term> terms;

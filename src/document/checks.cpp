@@ -121,8 +121,7 @@ std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surfa
   if (finding.kind == ElementKind::edge) return {finding.edges[element][0], finding.edges[element][1]};
   const auto index = finding.elements[element];
   if (finding.kind == ElementKind::vertex) return {index};
-  const auto begin = surface.corners.begin();
-  return {begin + surface.polygon_starts[index], begin + surface.polygon_starts[index + 1]};
+  return {surface.polygon(index).begin(), surface.polygon(index).end()};
 }
 
 std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary) {

@@ -38,11 +38,12 @@ HalfEdges half_edges(std::size_t vertices, std::span<const Triangle> triangles);
 /// repeat a corner.
 template <class Use>
 void for_polygon_sides(const Surface& surface, std::size_t polygon, const Use& use) {
-  const auto begin = surface.polygon_starts[polygon], end = surface.polygon_starts[polygon + 1];
-  const auto corner = [&](std::uint32_t i) { return surface.corners[i < end ? i : begin + (i - end)]; };
-  if (end - begin == 3 && repeats_corner({corner(begin), corner(begin + 1), corner(begin + 2)})) return;
-  for (auto i = begin; i < end; ++i)
-    if (corner(i) != corner(i + 1)) use(corner(i), corner(i + 1));
+  const auto corners = surface.polygon(polygon);
+  if (corners.size() == 3 && repeats_corner({corners[0], corners[1], corners[2]})) return;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto a = corners[i], b = corners[i + 1 < corners.size() ? i + 1 : 0];
+    if (a != b) use(a, b);
+  }
 }
 
 /// Returns the edges of a surface's polygons, sorted and unique. See for_polygon_sides().

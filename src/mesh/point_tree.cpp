@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mesh/triangle.h"
 
@@ -26,8 +27,16 @@ int longest_side(const Bounds& box) {
 
 struct PointTree::Search {
   Point a, b, c;
+  double slack = -1;  // if not negative, `near` lists the points that were within `slack` of the best
   double squared_distance = std::numeric_limits<double>::infinity();
   std::uint32_t best = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::pair<double, std::uint32_t>> near{};  // distances and points
+
+  // Returns the largest squared distance of interest.
+  double limit() const {
+    const double farthest = std::sqrt(squared_distance) + slack;
+    return slack < 0 ? squared_distance : farthest * farthest;
+  }
 
   double squared_distance_to(const Point& p) const {
     return closest_on_triangle(p, a, b, c).squared_distance;
@@ -39,6 +48,7 @@ struct PointTree::Search {
   }
   void visit(std::uint32_t i, const Point& p) {
     const double d = squared_distance_to(p);
+    if (slack >= 0 && d <= limit()) near.push_back({std::sqrt(d), i});
     if (d > squared_distance || (d == squared_distance && i > best)) return;
     squared_distance = d;
     best = i;
@@ -73,7 +83,7 @@ void PointTree::search(std::size_t node, std::size_t begin, std::size_t end, Sea
   const std::size_t middle = middle_of(begin, end), left = 2 * node + 1, right = left + 1;
   const double to_left = s.bound(balls_[left]), to_right = s.bound(balls_[right]);
   const auto go = [&](std::size_t child, double bound) {
-    if (bound * bound > s.squared_distance) return;
+    if (bound * bound > s.limit()) return;
     child == left ? search(left, begin, middle, s) : search(right, middle, end, s);
   };
   const bool left_first = to_left <= to_right;
@@ -85,6 +95,17 @@ std::uint32_t PointTree::nearest(const Point& a, const Point& b, const Point& c)
   Search s{a, b, c};
   search(0, 0, points_.size(), s);
   return s.best;
+}
+
+std::vector<std::uint32_t> PointTree::all_nearest(const Point& a, const Point& b, const Point& c,
+                                                  double slack) const {
+  Search s{a, b, c, slack};
+  search(0, 0, points_.size(), s);
+  std::vector<std::uint32_t> nearest;
+  for (const auto& [distance, i] : s.near)
+    if (distance <= std::sqrt(s.squared_distance) + slack) nearest.push_back(i);
+  std::ranges::sort(nearest);
+  return nearest;
 }
 
 void PointTree::for_within(const Point& p, double radius,

@@ -20,6 +20,9 @@ public:
   /// lowest index. For an edge, pass two equal corners. For a point, pass three equal corners.
   std::uint32_t nearest(const Point& a, const Point& b, const Point& c) const;
   std::uint32_t nearest(const Point& p) const { return nearest(p, p, p); }
+  /// Returns all points whose distance to the triangle is at most `slack` larger than that of the nearest
+  /// point. Ascending.
+  std::vector<std::uint32_t> all_nearest(const Point& a, const Point& b, const Point& c, double slack) const;
   /// Calls visit(i) for every point i whose distance to p is at most the radius, in any order.
   void for_within(const Point& p, double radius, const std::function<void(std::uint32_t)>& visit) const;
 

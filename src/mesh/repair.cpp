@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -87,30 +86,6 @@ private:
   bool agree_ = true;
 };
 
-// Returns the corners in an order that does not depend on the polygon's first corner and direction.
-// The second value is true if the list has the direction of the polygon.
-std::pair<std::vector<std::uint32_t>, bool> outline(const Surface& joined, std::size_t polygon) {
-  const auto at = [&](std::size_t p) { return joined.corners.begin() + joined.polygon_starts[p]; };
-  std::vector<std::uint32_t> forward(at(polygon), at(polygon + 1));
-  std::ranges::rotate(forward, std::ranges::min_element(forward));
-  std::vector<std::uint32_t> backward = forward;
-  std::reverse(backward.begin() + 1, backward.end());
-  const bool ahead = forward <= backward;
-  return {ahead ? std::move(forward) : std::move(backward), ahead};
-}
-
-// Marks each polygon that has the same corners as an earlier polygon, in the opposite direction.
-std::vector<std::uint8_t> backs(const Surface& joined) {
-  std::map<std::vector<std::uint32_t>, bool> seen;
-  std::vector<std::uint8_t> is_back(joined.polygon_count(), 0);
-  for (std::size_t p = 0; p < is_back.size(); ++p) {
-    auto [corners, ahead] = outline(joined, p);
-    const auto [known, is_new] = seen.try_emplace(std::move(corners), ahead);
-    is_back[p] = !is_new && known->second != ahead;
-  }
-  return is_back;
-}
-
 void turn(Triangle& t) {
   std::swap(t[1], t[2]);
 }
@@ -172,12 +147,19 @@ Surface welded(const Surface& surface) {
   return result;
 }
 
-std::vector<std::uint8_t> repeated_polygons(const Surface& surface) {
+std::vector<std::uint8_t> repeated_polygons(const Surface& surface, bool reversed) {
   const Surface joined = welded(surface);
-  std::set<std::pair<std::vector<std::uint32_t>, bool>> seen;
+  std::set<std::vector<std::uint32_t>> seen;  // corners from the lowest index
   std::vector<std::uint8_t> repeated;
-  for (std::size_t p = 0; p < joined.polygon_count(); ++p)
-    repeated.push_back(!seen.insert(outline(joined, p)).second);
+  for (std::size_t p = 0; p < joined.polygon_count(); ++p) {
+    const auto corners = joined.polygon(p);
+    std::vector<std::uint32_t> own(corners.begin(), corners.end());
+    std::ranges::rotate(own, std::ranges::min_element(own));
+    std::vector<std::uint32_t> other = own;
+    if (reversed) std::reverse(other.begin() + 1, other.end());
+    repeated.push_back(seen.contains(other));
+    seen.insert(std::move(own));
+  }
   return repeated;
 }
 
@@ -192,7 +174,7 @@ Surface consistently_oriented(const Surface& surface) {
 
 OneSided one_sided(const Surface& surface) {
   Surface joined = welded(surface);
-  const auto is_back = backs(joined);
+  const auto is_back = repeated_polygons(joined, true);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const bool of_polygon = t < surface.triangle_polygon.size();

@@ -11,9 +11,9 @@ namespace viete::mesh {
 /// Replaces each corner by the vertex of lowest index at the same position. Keeps all vertices and indices.
 Surface welded(const Surface& surface);
 
-/// Marks each polygon with the corners and the direction of an earlier polygon. The first corner does not
-/// matter, and vertices at equal positions count as one.
-std::vector<std::uint8_t> repeated_polygons(const Surface& surface);
+/// Marks each polygon that has the corners of an earlier polygon in the same (or in the reversed) direction,
+/// from any first corner. Vertices at equal positions count as one.
+std::vector<std::uint8_t> repeated_polygons(const Surface& surface, bool reversed = false);
 
 /// Returns the triangles, flipped so that neighbours have equal orientation. A component gets the orientation
 /// that most of its triangles have. A component that is not orientable (a Moebius strip) does not change.

@@ -73,17 +73,6 @@ void find_parts(const Surface& surface, Summary& summary) {
   }
 }
 
-// `listed` has one entry per listed triangle. Keeps each polygon, once, of which all triangles are listed.
-void keep_polygons(const Surface& surface, std::vector<std::uint32_t>& listed) {
-  std::vector<std::uint32_t> whole;
-  for (std::size_t i = 0, end = 0; i < listed.size(); i = end) {
-    while (end < listed.size() && listed[end] == listed[i]) ++end;
-    const auto* start = surface.polygon_starts.data() + listed[i];
-    if (end - i == start[1] - start[0] - 2) whole.push_back(listed[i]);
-  }
-  listed = std::move(whole);
-}
-
 // Divides lengths by the box's diagonal, so that squares are in the range of double. Sums the volumes of
 // tetrahedra with a corner at the box's center, which is precise even far from the origin.
 void measure(const Surface& surface, Summary& summary) {
@@ -92,18 +81,22 @@ void measure(const Surface& surface, Summary& summary) {
   const double scale = box.diagonal() > 0 ? box.diagonal() : 1;
   const auto measures = [&](std::size_t begin, std::size_t end) {
     Summary sum;
-    for (std::size_t t = begin; t < end; ++t) {
-      Corners p = corners_of(surface.positions, surface.triangles[t]);
-      if (!has_area(p[0], p[1], p[2])) sum.degenerate_polygons.push_back(surface.triangle_polygon[t]);
-      for (Point& q : p) q = (1 / scale) * (q - center);
-      const Point n = cross(p[1] - p[0], p[2] - p[0]);
-      sum.area += 0.5 * stable_norm(n);
-      sum.volume += dot(p[0], n) / 6;
+    for (std::size_t polygon = begin; polygon < end; ++polygon) {
+      bool flat = true;
+      const std::size_t last = surface.polygon_starts[polygon + 1] - 2 * (polygon + 1);
+      for (std::size_t t = surface.polygon_starts[polygon] - 2 * polygon; t < last; ++t) {
+        Corners p = corners_of(surface.positions, surface.triangles[t]);
+        flat = flat && !has_area(p[0], p[1], p[2]);
+        for (Point& q : p) q = (1 / scale) * (q - center);
+        const Point n = cross(p[1] - p[0], p[2] - p[0]);
+        sum.area += 0.5 * stable_norm(n);
+        sum.volume += dot(p[0], n) / 6;
+      }
+      if (flat) sum.degenerate_polygons.push_back(static_cast<std::uint32_t>(polygon));
     }
     return sum;
   };
-  summary = joined(std::move(summary), base::sum_of_blocks(surface.triangles.size(), measures, joined));
-  keep_polygons(surface, summary.degenerate_polygons);
+  summary = joined(std::move(summary), base::sum_of_blocks(surface.polygon_count(), measures, joined));
   summary.area *= scale * scale;
   summary.volume *= scale * scale * scale;
 }

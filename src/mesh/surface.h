@@ -36,6 +36,9 @@ struct Surface {
   std::vector<Triangle> clipped;
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
+  std::span<const std::uint32_t> polygon(std::size_t p) const {
+    return std::span(corners).subspan(polygon_starts[p], polygon_starts[p + 1] - polygon_starts[p]);
+  }
 };
 
 /// Calls use(triangle, corners) for each triangle in order. `corners` has indices into Surface::corners.

@@ -305,7 +305,8 @@ std::vector<Triangle> fan_of(std::size_t corners) {
   return triangles;
 }
 
-// True if triangulation() returns the fan.
+}  // namespace
+
 bool is_fan(std::span<const Point> corners) {
   if (corners.size() <= 3) return true;
   const double least = Fan(corners).least_area();
@@ -313,12 +314,6 @@ bool is_fan(std::span<const Point> corners) {
   if (corners.size() > 4) return false;
   const std::array others{corners[1], corners[2], corners[3], corners[0]};
   return Fan(others).least_area() <= least;
-}
-
-}  // namespace
-
-bool covers(std::span<const Point> corners) {
-  return corners.size() <= 3 || Fan(corners).least_area() >= -flat_fan;
 }
 
 std::vector<Triangle> triangulation(std::span<const Point> corners) {

@@ -8,12 +8,13 @@
 
 namespace viete::mesh {
 
-/// True if the fan around the first corner covers the polygon: no fan triangle is reversed relative to the
-/// sum of the fan's normals. Always true for convex polygons and for polygons without area.
-bool covers(std::span<const Point> corners);
+/// True if the fan around the first corner covers the polygon: no fan triangle is thin, or reversed relative
+/// to the sum of the fan's normals. For quads, the other diagonal must not be better. Always true for
+/// polygons without area.
+bool is_fan(std::span<const Point> corners);
 
 /// Returns n - 2 triangles for any polygon of n corners. Each triangle has three ascending indices into
-/// `corners`. If the fan covers the polygon and has no thin triangle, returns the fan. Otherwise clips ears
+/// `corners`. If is_fan(), returns the fan. Otherwise clips ears
 /// with exact tests, beginning with the shortest cut. Makes thin triangles, and triangles without area, only
 /// if necessary: a corner in the middle of an edge is joined to the other corners. The polygon can be
 /// slightly non-planar, and can touch itself, for example at a bridge to a hole. Scaling or mirroring about

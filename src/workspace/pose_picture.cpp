@@ -24,11 +24,6 @@ sym3::Mat3<double> turn_of(const PictureAngles& angles) {
   return {c, 0, s, t * s, d, -t * c, -d * s, t, d * c};
 }
 
-Corners corners_of(const mesh::Surface& surface, std::size_t polygon) {
-  const auto first = surface.polygon_starts[polygon], end = surface.polygon_starts[polygon + 1];
-  return Corners(surface.corners).subspan(first, end - first);
-}
-
 // The normal of a polygon in the view. The length is twice the area.
 Vec3 normal_of(const PictureView& view, Corners corners, std::span<const Point> at) {
   Vec3 sum{0, 0, 0};
@@ -76,14 +71,14 @@ std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface
   constexpr double seen_from_the_side = 1e-9;
   std::vector<std::pair<double, std::size_t>> found;
   for (std::size_t p = 0; p < model.polygon_count(); ++p) {
-    const Corners corners = corners_of(model, p);
+    const Corners corners = model.polygon(p);
     if (normal_of(view, corners, at)[2] > seen_from_the_side)
       found.emplace_back(nearness(view, corners, at), p);
   }
   std::ranges::sort(found);
   std::vector<PictureShape> shapes;
   for (const auto& [near, p] : found) {
-    const Corners corners = corners_of(model, p);
+    const Corners corners = model.polygon(p);
     PictureShape& shape = shapes.emplace_back();
     for (const auto v : corners) shape.points.push_back(view.at(at[v]));
     std::ranges::reverse(shape.points);

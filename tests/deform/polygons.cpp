@@ -147,7 +147,8 @@ TEST_CASE("a_repeated_face_of_a_cage_is_ignored_with_a_note") {
   const mesh::Surface model = jittered(test::sphere(2), 0.01);
   const auto pose = jittered(once, 0.3).positions;
   for (const WayEntry& way : all_ways())
-    CHECK(largest_distance(deformed(model, twice, pose, way.scheme), deformed(model, once, pose, way.scheme)) < 1e-13);
+    CHECK(largest_distance(deformed(model, twice, pose, way.scheme),
+                           deformed(model, once, pose, way.scheme)) < 1e-13);
 }
 
 TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically") {
@@ -156,14 +157,14 @@ TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically")
   for (auto& p : pose)
     p = {p[0] * (1 + 0.3 * p[1]), p[1] + 0.4 * p[2] * p[2] * p[1], p[2] + 0.5 * p[0] * p[0]};
   pose[2] = pose[2] + Vec3{0.2, 0.5, -0.3}, pose[3] = pose[3] + Vec3{-0.2, 0.5, -0.3};  // mirror images
-  for (const int levels : {2, 3}) {
+  for (const int levels : {2, 3, 4}) {
     const mesh::Surface ball = test::sphere(levels);
     const auto image = [](const Vec3& p) { return Vec3{-p[0], p[1], p[2]}; };
     std::vector<std::size_t> mirrored;
     for (const auto& p : ball.positions)
       mirrored.push_back(
           static_cast<std::size_t>(std::ranges::find(ball.positions, image(p)) - ball.positions.begin()));
-    const auto map = similarity({1, 2, -1}, 37 * degree, 1, {0.3, -1, 2});
+    const auto map = similarity({1, 2, -1}, 37 * degree, 1, {1000, -500, 2000});
     for (const Scheme& scheme : every_scheme()) {
       CAPTURE(text(scheme));
       CAPTURE(levels);
@@ -172,7 +173,7 @@ TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically")
       for (const auto v : mirrored) images.push_back(image(there[v]));
       CHECK(largest_distance(there, images) < 1e-11);
       const auto turned = deformed(mapped(ball, map), mapped(cage, map), mapped(pose, map), scheme);
-      CHECK(largest_distance(turned, mapped(there, map)) < 1e-11);
+      CHECK(largest_distance(turned, mapped(there, map)) < 1e-8);
       const auto noisy = deformed(jittered(ball, 1e-12), cage, pose, scheme);
       CHECK(largest_distance(noisy, there) < 1e-9);
     }

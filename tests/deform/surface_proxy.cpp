@@ -197,7 +197,8 @@ TEST_CASE("springs_of_a_proxy_are_at_the_same_points_as_those_of_the_model") {
     const auto whole = deform::owned_vertices(model, box_cage(), deform::Elements::face, pool);
     const auto coarse = deform::owned_vertices(proxy.surface(), box_cage(), deform::Elements::face, pool);
     for (std::size_t h = 0; h < whole.of_handle.size(); ++h)
-      CHECK(proxy.surface().positions[coarse.of_handle[h]] == model.positions[whole.of_handle[h]]);
+      CHECK(proxy.surface().positions[coarse.of_handle[h][0].vertex] ==
+            model.positions[whole.of_handle[h][0].vertex]);
   }
 }
 
