@@ -116,6 +116,18 @@ void Analysis::take_checks(workspace::Workspace& w, bool wait) {
     return w.messages.error("Checks failed: " + result->problem, {"checks", workspace::Scope::cage});
   w.messages.succeeded("checks");
   workspace::take_findings(w.checks, *std::move(result->value));
+  follow_outside(w);
+}
+
+// Offers to enclose the model if a change of the cage has pushed vertices of the same model out.
+void Analysis::follow_outside(workspace::Workspace& w) {
+  const auto found = workspace::outside_finding(w.checks);
+  const std::size_t outside = found ? w.checks.findings[*found].size() : 0;
+  const bool edited =
+      std::exchange(outside_of_, checked_model_) == checked_model_ && w.document.history.can_undo();
+  w.checks.pushed_out = edited && (outside > w.checks.outside || (w.checks.pushed_out && outside > 0));
+  if (outside > w.checks.outside) w.panels.offer_cage = true;
+  w.checks.outside = outside;
 }
 
 void Analysis::finish_checks(workspace::Workspace& w) {

@@ -58,6 +58,7 @@ public:
 
 private:
   void start_checks(const document::Document& document);
+  void follow_outside(workspace::Workspace& workspace);
   void take_checks(workspace::Workspace& workspace, bool wait);
   void follow_report(workspace::Workspace& workspace);
   void follow_path(workspace::Workspace& workspace, const LiveModel& model);
@@ -75,7 +76,7 @@ private:
   base::BackgroundJob<MethodTimings> timer_;
   base::BackgroundJob<std::string> report_;
   base::BackgroundJob<std::vector<document::Finding>> checks_;
-  std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
+  std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_, outside_of_;
   unsigned long probed_ = 0;  // index of the last frame sampled by start_probe()
   // If one of these members changes, measurements are discarded.
   struct Path {

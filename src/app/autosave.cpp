@@ -61,8 +61,10 @@ void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   if (other) {
     close_recovered(workspace);
     untouched_ = workspace.recovery.from;
-  } else if (now.edits != seen_.edits || !now.unsaved) {
-    untouched_.clear();
+    restored_ = untouched_.empty() ? document::DocumentState() : state_of(document);
+    restored_.pose = real_pose(document);
+  } else if (!now.unsaved || (now.edits != seen_.edits && workspace::differs(workspace, restored_))) {
+    untouched_.clear();  // a change of the selection is no further edit
   }
   seen_ = now;
   kept_ = false;

@@ -59,8 +59,9 @@ private:
   base::BackgroundQueue& queue_;
   Moment seen_;
   std::future<void> writing_;
-  std::filesystem::path replaced_;   // the restored file that the current write deletes; empty if none
-  std::filesystem::path untouched_;  // the restored file while there are no further edits; empty if none
+  std::filesystem::path replaced_;    // the restored file that the current write deletes; empty if none
+  std::filesystem::path untouched_;   // the restored file while there are no further edits; empty if none
+  document::DocumentState restored_;  // the edits in this file
   bool kept_ = false, has_file_ = false;
   std::string problem_;
 };

@@ -50,6 +50,7 @@ std::vector<std::string> write_pictures_in_child(const PictureExport& what, base
                                  fs::absolute(what.file).string()};
   if (what.session.view.cage) words.push_back("--show-cage");
   if (what.panels) words.push_back("--panels");
+  if (what.replaces) words.push_back("--force");
   return run_child(words, progress);
 }
 

@@ -23,6 +23,7 @@ struct PictureExport {
   std::filesystem::path program;  ///< the program `viete`
   files::Session session;         ///< the session to draw, with its playback range and view
   bool panels = false;
+  bool replaces = false;  ///< replaces existing pictures
 };
 
 /// Draws and writes pictures in a child process. Returns notes for the user, one line each. Throws

@@ -101,6 +101,7 @@ void take(FieldValues&& made, const document::Document& document, workspace::Fie
     analysis::fit_counts(made.values, made.stats);
   }
   shown.stats = made.stats;
+  shown.own_range = {made.stats.low, made.stats.high};
   shown.values = std::make_shared<const std::vector<float>>(std::move(made.values));
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/numbered_files.h"
 #include "files/output.h"
 #include "formats/source.h"
 #include "workspace/apply_opened.h"
@@ -50,7 +51,7 @@ void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
     start_loading(loader_, *request, w.document, w.about.moving_triangles);
   }
   if (r.stop_work) loader_.stop();
-  if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
+  if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) workspace::save_pose(w, *file);
   if (const auto file = std::exchange(r.save_cage, std::nullopt)) workspace::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
@@ -103,14 +104,19 @@ PictureExport FileDesk::picture_export_of(const workspace::Workspace& w, const f
     what.session.window = {choice->width, choice->height};
     what.panels = choice->panels;
   }
+  what.replaces = w.files.browser.asked == file && w.files.browser.replaces();
   return what;
 }
 
 void FileDesk::start_animation_export(const workspace::Workspace& w, const fs::path& file) {
-  const document::Timeline& timeline = w.document.timeline;
-  files::check_output(file, {timeline.first, timeline.last}, workspace::files_open(w), files::Force::none);
-  if (formats::extension_of(file) == "png") return exporter_.add(picture_export_of(w, file));
   files::AnimationExport what = files::animation_export_of(w.document, file);
+  files::check_output(file, {what.first, what.last}, workspace::files_open(w), files::Force::none);
+  const workspace::FileBrowser& browser = w.files.browser;
+  const bool confirmed = browser.asked == file && browser.replaces();  // the browser has asked the user
+  what.force = confirmed ? files::Force::given : files::Force::none;
+  if (base::NumberedName::is_pattern(file))
+    files::check_frames_are_new(base::NumberedName(file), what.frames(), what.force);
+  if (formats::extension_of(file) == "png") return exporter_.add(picture_export_of(w, file));
   what.model.up = w.view.camera.pose().up;
   what.tolerance = w.files.browser.morphs.tolerance;
   what.normals = w.files.browser.morphs.normals;
@@ -162,7 +168,11 @@ void FileDesk::take_answer(workspace::Workspace& w, workspace::Answer answer) {
   if (kind == Kind::discard) return discard(w);
   if (kind == Kind::replace) {
     if (answer == workspace::Answer::save) return workspace::browse_to_save_session(w);
-    return save_session(w, w.files.saved.session, true);
+    return save_session(w, w.files.saved.session, kind);
+  }
+  if (kind == Kind::moved) {
+    const bool saved = answer != workspace::Answer::save || workspace::save_moved_files(w, session_);
+    return saved ? save_session(w, session_, kind) : give_up(w);
   }
   if (answer == workspace::Answer::proceed) return proceed(w, kind);
   w.files.after_saving = kind;
@@ -189,9 +199,14 @@ void FileDesk::give_up(workspace::Workspace& w) {
     w.messages.info("Cancelled opening; nothing was changed.");
 }
 
-void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, bool over_changes) {
-  if (!over_changes && workspace::changed_on_disk(w, file)) {
+// `answered` is the last question that the user has answered for this file.
+void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, std::optional<Kind> answered) {
+  const std::string moved = answered == Kind::moved ? "" : workspace::moved_files(w);
+  session_ = file;
+  if (!answered && workspace::changed_on_disk(w, file)) {
     w.files.question = workspace::ask_before_replacing(file);
+  } else if (!moved.empty()) {
+    w.files.question = workspace::ask_to_save_meshes(moved);
   } else if (!workspace::save_session(w, file) && w.files.after_saving && !w.files.browser.open) {
     w.files.question = workspace::ask_after_failed_save(workspace::name_of_work(w), *w.files.after_saving,
                                                         w.messages.all().back().text);
@@ -218,14 +233,17 @@ void FileDesk::finish_exports(workspace::Workspace& w) {
 }
 
 void FileDesk::discard(workspace::Workspace& w) {
+  const std::vector<files::RecoveryFile> offers = w.recovery.offers();
   std::erase_if(w.recovery.files, [&](const files::RecoveryFile& leftover) {
     std::error_code code;
+    if (std::ranges::find(offers, leftover.file, &files::RecoveryFile::file) == offers.end()) return false;
     if (fs::remove(leftover.file, code) || !code) return true;
     w.messages.error(base::Error(leftover.file.string(), "cannot be deleted: " + code.message()).what(),
                      {"discard"});
     return false;
   });
   if (w.recovery.files.empty()) w.messages.succeeded("discard");
+  w.recovery.offered = !std::ranges::all_of(w.recovery.files, &files::RecoveryFile::restored);
 }
 
 void FileDesk::keep(workspace::Workspace& w, bool no_drag) {

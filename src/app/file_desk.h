@@ -62,7 +62,8 @@ private:
   void proceed(workspace::Workspace& workspace, workspace::Question::Kind kind);
   void proceed_after_saving(workspace::Workspace& workspace);
   void give_up(workspace::Workspace& workspace);
-  void save_session(workspace::Workspace& workspace, const std::filesystem::path& file, bool over_changes);
+  void save_session(workspace::Workspace& workspace, const std::filesystem::path& file,
+                    std::optional<workspace::Question::Kind> answered = {});
   void close(workspace::Workspace& workspace);
   void follow_exports(workspace::Workspace& workspace, bool wait);
   void show_exports(workspace::Workspace& workspace);
@@ -77,6 +78,7 @@ private:
   ModelShading shading_;
   Bound bound_;
   std::filesystem::path reading_;          // the first file of the last request
+  std::filesystem::path session_;          // the session of the last request to save
   std::optional<Loaded> waiting_;          // the opened document, while the user decides about unsaved edits
   bool closing_ = false, closed_ = false;  // closing_: true while closing waits for exports
   std::vector<std::future<void>> writes_;  // pending writes of preferences

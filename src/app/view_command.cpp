@@ -62,8 +62,7 @@ public:
       exposed_ = true;
     };
     window_.listen(std::move(events));
-    workspace::Preferences& preferences = viewer_.workspace().preferences;
-    viewer_.workspace().panels.ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
+    viewer_.workspace().panels.ask_keys = viewer_.workspace().preferences.ask_keys;
     window_.share_clipboard();
   }
 

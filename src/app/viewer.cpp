@@ -311,12 +311,16 @@ bool Viewer::follow_fields() {
   if (!workspace_.document.model.surface) return news;
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view)
     news |= fields_.follow(view, field_subject(view), workspace_.view.split.views[view].shown);
-  if (news && workspace_.view.split.on()) share_ranges();
+  const std::size_t views = workspace_.view.split.count();
+  const bool closed = views < std::exchange(views_seen_, views);
+  if ((news && views > 1) || closed) share_ranges();
   return news;
 }
 
 // If several views show the same field, gives these views a common range of colours.
 void Viewer::share_ranges() {
+  for (workspace::SplitView& view : workspace_.view.split.views)
+    if (view.shown.values) std::tie(view.shown.stats.low, view.shown.stats.high) = view.shown.own_range;
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view) {
     workspace::FieldView& shown = workspace_.view.split.views[view].shown;
     analysis::FieldStats& stats = shown.stats;
@@ -336,7 +340,7 @@ void Viewer::finish_views() {
   frame(0);
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view)
     fields_.finish(view, field_subject(view), workspace_.view.split.views[view].shown);
-  if (workspace_.view.split.on()) share_ranges();
+  share_ranges();
 }
 
 // Activates the view under the cursor, except during a drag or a motion of the camera.

@@ -159,6 +159,7 @@ private:
   double last_motion_ = 0;                   ///< clock time in seconds of the last picture with motion
   bool refines_ = false, moves_ = false;     ///< this frame: refines the view, shows motion
   unsigned settle_frames_ = 3;               ///< frames still to draw, until ImGui has computed all sizes
+  std::size_t views_seen_ = 1;
   std::optional<bool> theme_seen_;
   document::CameraPose camera_seen_;
   bool at_rest_ = false;  ///< true: the view shows the model at rest

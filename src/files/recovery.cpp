@@ -86,8 +86,13 @@ RecoveryFile describe_recovery_file(const fs::path& file) {
     const fs::path& of = session.origin.empty() ? session.model.path : session.origin;
     found.name = of.filename().string();
     found.folder = of.parent_path();
+    if (session.camera) found.up = session.camera->up;
+    found.posed = session.pose.positions;
+    const auto cage = session.cage_file.surface ? session.cage_file.surface
+                                                : document::open_surface(session.cage_file.path).surface;
+    if (cage->positions.size() == found.posed.size()) found.cage = cage;
   } catch (const std::exception&) {
-    // Opening the file will report the error.
+    // Opening the file reports errors of the session. Without the cage's file there is no picture.
   }
   return found;
 }

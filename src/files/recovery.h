@@ -3,8 +3,12 @@
 
 #include <ctime>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "document/camera.h"
+#include "mesh/surface.h"
 
 namespace viete::files {
 
@@ -15,6 +19,9 @@ struct RecoveryFile {
   std::time_t time = 0;            ///< time of the last edit
   std::filesystem::path folder{};  ///< folder of the edited session or model; empty if unknown
   bool restored = false;           ///< true if this file was opened, then closed without further edits
+  std::shared_ptr<const mesh::Surface> cage{};  ///< null if there is none or it cannot be read
+  std::vector<mesh::Point> posed{};             ///< the cage's vertices in the pose
+  document::UpAxis up = document::UpAxis::y;
 
   friend bool operator==(const RecoveryFile&, const RecoveryFile&) = default;
 };

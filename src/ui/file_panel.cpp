@@ -306,11 +306,14 @@ void path_note(const Context& ui) {
   if (!browser.problem.empty()) {
     note(ui, browser.problem, ui.colors.bad);
     record(ui, "file_problem");
-  } else if (browser.replaces()) {
-    const std::string name = workspace::chosen_file(browser).filename().string();
+  } else if (const auto [first, count] = browser.replaced(); count > 0) {
+    const std::string more = count > 1 ? " and " + base::counted(count - 1, "more file") : "";
+    const std::string exist =
+        first.filename().string() + more + (count > 1 ? " already exist" : " already exists");
+    const std::string them = count > 1 ? "them." : "it.";
     note(ui,
-         name + (browser.warned == browser.path ? " already exists; press Enter again to replace it."
-                                                : " already exists and will be replaced."),
+         exist + (browser.warned == browser.path ? "; press Enter again to replace " + them
+                                                 : " and will be replaced."),
          ui.colors.warn);
     record(ui, "file_replaces");
   }

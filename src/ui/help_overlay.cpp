@@ -195,7 +195,6 @@ void key_list(const Context& ui) {
 
 float key_question(const Context& ui, float bottom) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.view.options.hints) w.panels.ask_keys = false;  // the user has already transformed something
   if (!w.panels.ask_keys || !w.view.options.panels || w.panels.key_list.open || w.jobs.loading.running ||
       w.files.browser.open || w.files.question || offers_next_step(w))
     return bottom;
@@ -204,16 +203,18 @@ float key_question(const Context& ui, float bottom) {
                       card_flags);
   ImGui::TextUnformatted("Choose a keymap");
   const auto presets = workspace::choices(workspace::KeyPreset{});
+  bool answered = false;
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (button(ui, presets[i].label.data(), "ask_keys/" + std::string(presets[i].word),
                std::string(presets[i].hint) + " You can change it later in Help, Keymap.", {72, 0})) {
       w.preferences.keymap.set_preset(static_cast<workspace::KeyPreset>(i));
-      w.panels.ask_keys = false;
+      answered = true;
     }
   }
   ImGui::SameLine();
-  if (button(ui, "x", "ask_keys/close", "Use the keymap Viete.")) w.panels.ask_keys = false;
+  answered |= button(ui, "x", "ask_keys/close", "Use the keymap Viete.");
+  if (answered) w.panels.ask_keys = w.preferences.ask_keys = false;
   return ImGui::GetWindowPos().y + 28;
 }
 

@@ -75,18 +75,21 @@ void list_behind(const Context& ui, const workspace::Command& command) {
 // Consecutive commands of the same choice are in one submenu.
 void items(const Context& ui, const workspace::Menu& menu) {
   std::string_view submenu, group = menu.items.empty() ? "" : menu.items.front()->group;
-  bool open = false;
+  bool open = false, line = false, any = false;
   for (const workspace::Command* command : menu.items) {
+    line |= workspace::begins_section(*command) || command->group != group;
+    group = command->group;
     if (!is_shown(ui, *command)) continue;
     const std::string_view title = command->submenu;
     if (title != submenu) {
       if (open) ImGui::EndMenu();
+      if (std::exchange(line, false) && any) ImGui::Separator();
       open = !title.empty() && ImGui::BeginMenu(std::string(title).c_str());
       if (!title.empty()) record(ui, "menu/" + std::string(title));
       submenu = title;
     }
-    if (submenu.empty() && command->group != group) ImGui::Separator();
-    group = command->group;
+    if (submenu.empty() && std::exchange(line, false) && any) ImGui::Separator();
+    any = true;
     if (submenu.empty() || open) menu_item(ui, *command, submenu.empty() ? "" : command->brief);
     if (submenu.empty()) list_behind(ui, *command);
   }

@@ -62,15 +62,46 @@ float width_of(const std::string& label) {
   return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// Shows the name of the newest recovery file, which Restore opens, and the number of other files.
-void recovery_text(const Context& ui) {
-  const files::RecoveryFile& newest = ui.workspace.recovery.files.front();
-  const std::size_t more = ui.workspace.recovery.files.size() - 1;
-  const std::string text = "Recovered edits: " + newest.name + ", " + files::when(newest.time) +
-                           (more == 0 ? "" : " and " + std::to_string(more) + " more");
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(shortened(text, ImGui::GetContentRegionAvail().x).c_str());
-  hint("Folder: " + newest.folder.string());
+const std::vector<workspace::PictureShape>& picture_of(const Context& ui, const files::RecoveryFile& file) {
+  auto& pictures = ui.workspace.panels.recovery_pictures;
+  const auto [entry, missing] = pictures.try_emplace(file.file);
+  if (missing && file.cage) entry->second = workspace::pose_picture(*file.cage, file.posed, file.up);
+  return entry->second;
+}
+
+const ImVec2 recovery_card_size{196, 46};
+
+// Draws picture, name and date of recovered edits. A click restores them.
+void recovery_card(const Context& ui, const files::RecoveryFile& file, std::size_t index) {
+  const std::string id = "recovery/" + std::to_string(index);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high{low.x + recovery_card_size.x, low.y + recovery_card_size.y};
+  const bool free = !ui.workspace.jobs.loading.running;
+  if (ImGui::InvisibleButton(id.c_str(), recovery_card_size) && free)
+    ui.workspace.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::recovery, {file.file}};
+  record(ui, id);
+  card(ui, low, high, false);
+  hint("Restore these edits.  Folder: " + file.folder.string());
+  draw_picture(ui, {low.x + 2, low.y + 2}, picture_of(ui, file));
+  const float left = low.x + workspace::pose_picture_size.x + 10;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddText({left, low.y + 5}, ui.colors.text, shortened(file.name, high.x - left - 6).c_str());
+  draw.AddText({left, low.y + 24}, ui.colors.faint, files::when(file.time).c_str());
+}
+
+// One row of cards, newest first, and the number of files without a card.
+void recovery_cards(const Context& ui, const std::vector<files::RecoveryFile>& files) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x + gap - (files.size() > 1 ? 60 : 0);
+  const auto fitting = static_cast<std::size_t>(room / (recovery_card_size.x + gap));
+  const std::size_t cards = std::clamp<std::size_t>(fitting, 1, files.size());
+  for (std::size_t i = 0; i < cards; ++i) {
+    if (i > 0) ImGui::SameLine();
+    recovery_card(ui, files[i], i);
+  }
+  if (cards == files.size()) return;
+  ImGui::SameLine();
+  text_in(ui.colors.faint, "+" + std::to_string(files.size() - cards));
 }
 
 }  // namespace
@@ -90,11 +121,13 @@ void notice_bar(const Context& ui) {
   const ImVec2 size(w.view.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});
   const Window window("Notice", {.at = {0, top}, .pivot = {0, 0}, .rounding = 0}, card_flags);
-  recovery_text(ui);
+  ImGui::AlignTextToFramePadding();
+  text_in(ui.colors.text, "Recovered edits. Click one to restore it.");
   for (const char* command : {"restore_leftover", "discard_leftovers", "put_off_leftovers"}) {
     flow(width_of(workspace::find_command(command)->brief));
     command_button(ui, command);
   }
+  recovery_cards(ui, w.recovery.offers());
   w.panels.notice_height = ImGui::GetWindowSize().y;
 }
 

@@ -96,4 +96,43 @@ void OverlayPainter::letter(const glm::vec2& center, const char* text, ImU32 col
   list_.AddText(font, size, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y}, color, text);
 }
 
+namespace {
+
+ImU32 darkened(ImU32 color, float tone) {
+  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
+  return ImGui::ColorConvertFloat4ToU32({tone * c.x, tone * c.y, tone * c.z, c.w});
+}
+
+// Draws a shape; its points are relative to `corner`.
+void draw_shape(const Context& ui, ImVec2 corner, const workspace::PictureShape& shape) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  std::vector<ImVec2> points;
+  for (const glm::vec2& p : shape.points) points.push_back({corner.x + p.x, corner.y + p.y});
+  const auto count = static_cast<int>(points.size());
+  const ImU32 color = darkened(ui.colors.model, shape.tone);
+  if (shape.triangles.empty()) {
+    list.AddConvexPolyFilled(points.data(), count, color);
+  } else {
+    list.PrimReserve(static_cast<int>(3 * shape.triangles.size()), count);
+    for (const auto& t : shape.triangles)
+      for (const auto i : t) list.PrimWriteIdx(static_cast<ImDrawIdx>(list._VtxCurrentIdx + i));
+    for (const ImVec2& p : points) list.PrimWriteVtx(p, ImGui::GetFontTexUvWhitePixel(), color);
+  }
+  if (!shape.outlined) return;
+  const ImU32 edge = faded(darkened(ui.colors.model, 0.5f), 0.45f);
+  list.AddPolyline(points.data(), count, edge, ImDrawFlags_Closed, 1);
+}
+
+}  // namespace
+
+void draw_picture(const Context& ui, ImVec2 low, std::span<const workspace::PictureShape> shapes) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, {low.x + workspace::pose_picture_size.x, low.y + workspace::pose_picture_size.y},
+                    true);
+  list._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
+  for (const workspace::PictureShape& shape : shapes) draw_shape(ui, low, shape);
+  list._FringeScale = 1;
+  list.PopClipRect();
+}
+
 }  // namespace viete::ui

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "ui/context.h"
+#include "workspace/pose_picture.h"
 
 namespace viete::ui {
 
@@ -19,6 +20,9 @@ inline std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
   return {center + glm::vec2(-half, -half), center + glm::vec2(half, -half), center + glm::vec2(half, half),
           center + glm::vec2(-half, half)};
 }
+
+/// Draws a thumbnail of pose_picture_size into the current window. `low` is its upper left corner.
+void draw_picture(const Context& ui, ImVec2 low, std::span<const workspace::PictureShape> shapes);
 
 /// Draws icons in coordinates from -1 to 1 around `middle`.
 struct Pen {

@@ -160,10 +160,12 @@ bool is_free(const workspace::Workspace& w) {
          !w.files.browser.open && !w.files.question && w.view.options.panels && !w.panels.key_list.open;
 }
 
-// The finding about vertices outside the cage. Null during the checks and after the first edit.
+// The finding about vertices outside the cage. Null during the checks, and after the first edit unless a
+// change of the cage has pushed vertices out.
 const document::Finding* outside(const workspace::Workspace& w) {
-  const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.view.interaction.drag;
-  if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
+  const bool begun = w.document.history.can_undo() || w.document.kept_pose;
+  if (!w.document.has_cage() || w.checks.running || w.view.interaction.drag) return nullptr;
+  if (begun && !w.checks.pushed_out) return nullptr;
   const auto at = workspace::outside_finding(w.checks);
   return at ? &w.checks.findings[*at] : nullptr;
 }

@@ -187,6 +187,15 @@ void legend(const Context& ui, ImVec2 corner, const workspace::FieldView& shown,
 
 }  // namespace
 
+namespace {
+
+// True if a legend covers only a corner of a view.
+bool fits(const Size& size, const glm::vec2& room) {
+  return room.x >= 1.5f * size.width && room.y >= 3 * size.height;
+}
+
+}  // namespace
+
 // Draws the legend of the mesh colours at the bottom right of each view. Notices are placed above the legend.
 float map_legend(const Context& ui, float bottom) {
   const auto& w = ui.workspace;
@@ -198,8 +207,9 @@ float map_legend(const Context& ui, float bottom) {
     if (field == analysis::Field::none) continue;
     const workspace::Pane pane = workspace::pane_of(split, view);
     const glm::vec2 corner = w.view.viewport.origin + (pane.at + pane.size) * w.view.viewport.size;
-    const Size& size = split.on() ? small : whole;
-    if (pane.size.x * w.view.viewport.size.x < size.width + 32) continue;
+    const glm::vec2 room = pane.size * w.view.viewport.size;
+    const Size& size = split.on() || !fits(whole, room) ? small : whole;
+    if (!fits(small, room)) continue;
     legend(ui, vec(corner), split.views[view].shown, field, workspace::shown_way(w, view).method, size);
     if (corner.y > bottom - 1) top = bottom - size.height - 32;
   }

@@ -19,7 +19,7 @@ namespace {
 using workspace::pose_picture_size;
 
 constexpr const char* dragged_pose = "pose";
-constexpr float percent_width = 54;
+constexpr float percent_width = 54, percent_sign = 14;
 
 // The user's changes of the list, applied after all rows are drawn.
 struct PoseWish {
@@ -29,42 +29,12 @@ struct PoseWish {
   std::optional<std::pair<std::size_t, std::size_t>> moved;
 };
 
-ImU32 darkened(ImU32 color, float tone) {
-  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
-  return ImGui::ColorConvertFloat4ToU32({tone * c.x, tone * c.y, tone * c.z, c.w});
-}
-
-// Draws a shape; its points are relative to `corner`.
-void draw_shape(const Context& ui, ImVec2 corner, const workspace::PictureShape& shape) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  std::vector<ImVec2> points;
-  for (const glm::vec2& p : shape.points) points.push_back({corner.x + p.x, corner.y + p.y});
-  const auto count = static_cast<int>(points.size());
-  const ImU32 color = darkened(ui.colors.model, shape.tone);
-  if (shape.triangles.empty()) {
-    list.AddConvexPolyFilled(points.data(), count, color);
-  } else {
-    list.PrimReserve(static_cast<int>(3 * shape.triangles.size()), count);
-    for (const auto& t : shape.triangles)
-      for (const auto i : t) list.PrimWriteIdx(static_cast<ImDrawIdx>(list._VtxCurrentIdx + i));
-    for (const ImVec2& p : points) list.PrimWriteVtx(p, ImGui::GetFontTexUvWhitePixel(), color);
-  }
-  if (!shape.outlined) return;
-  const ImU32 edge = faded(darkened(ui.colors.model, 0.5f), 0.45f);
-  list.AddPolyline(points.data(), count, edge, ImDrawFlags_Closed, 1);
-}
-
 void draw_pose(const Context& ui, const document::NamedPose& named, ImVec2 low, bool chosen, bool hovered) {
   workspace::Workspace& w = ui.workspace;
   const ImVec2 high{low.x + pose_picture_size.x, low.y + pose_picture_size.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
-  list.PushClipRect(low, high, true);
-  list._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
-  for (const auto& shape : w.panels.pose_pictures.of(w.document, named.pose, w.view.camera.pose().up))
-    draw_shape(ui, low, shape);
-  list._FringeScale = 1;
-  list.PopClipRect();
+  draw_picture(ui, low, w.panels.pose_pictures.of(w.document, named.pose, w.view.camera.pose().up));
   if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }
 
@@ -99,7 +69,7 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   const std::string id = "pose_weight/" + std::to_string(row);
   const double percent = 1e-6 * std::round(1e8 * shown);
   auto slid = static_cast<float>(percent);
-  ImGui::SetNextItemWidth(-percent_width - ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(-percent_width - percent_sign - ImGui::GetStyle().ItemInnerSpacing.x);
   constexpr double least = 100 * document::PoseLibrary::least_weight,
                    most = 100 * document::PoseLibrary::largest_weight;
   const Slid done = slider(ui, id, percent, least, most, [&] {
@@ -112,6 +82,8 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   if (const auto typed =
           number_field(ui, id + "/typed", percent, percent_width, "Weight in percent, from -200 to 300."))
     wish.weight = std::pair(row, 0.01 * *typed);
+  ImGui::SameLine(0, 3);
+  ImGui::TextUnformatted("%");
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {

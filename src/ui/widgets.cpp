@@ -50,14 +50,10 @@ std::string typed_so_far(const Context& ui, const std::string& name, const std::
 
 namespace {
 
-// Sets the place and the style of the next window.
-class PlacedStyle {
-public:
-  explicit PlacedStyle(const Window::Place& place);
-  ~PlacedStyle() { ImGui::PopStyleVar(4); }  // menus and tooltips of the window have the usual style
-};
+constexpr int placed_styles = 4;  // popped after Begin(): menus and tooltips have the usual style
 
-PlacedStyle::PlacedStyle(const Window::Place& place) {
+// Sets the place and the style of the next window.
+void place_next(const Window::Place& place) {
   ImGui::SetNextWindowPos(place.at, ImGuiCond_Always, place.pivot);
   if (place.size.x > 0) ImGui::SetNextWindowSize(place.size);
   const ImVec2 padding = place.padding.x < 0 ? ImGui::GetStyle().WindowPadding : place.padding;
@@ -70,8 +66,9 @@ PlacedStyle::PlacedStyle(const Window::Place& place) {
 }  // namespace
 
 Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags) {
-  const PlacedStyle style(place);
+  place_next(place);
   ImGui::Begin(name, nullptr, flags);
+  ImGui::PopStyleVar(placed_styles);
 }
 
 Window::~Window() {
@@ -79,9 +76,10 @@ Window::~Window() {
 }
 
 Dialog::Dialog(const char* name, const Window::Place& place, ImGuiWindowFlags flags, bool* open) {
-  const PlacedStyle style(place);
+  place_next(place);
   if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
   shown_ = ImGui::BeginPopupModal(name, open, flags);
+  ImGui::PopStyleVar(placed_styles);
 }
 
 Dialog::~Dialog() {

@@ -51,6 +51,7 @@ void take_document(Workspace& w, document::Document&& document, bool keep_settin
   w.panels.offer_cage = true;
   w.frame.methods = {};
   w.view.split.views[0] = {};
+  w.view.split.before.reset();
   w.view.vertex = {};
   forget_findings(w.checks);
   ++w.files.opened;

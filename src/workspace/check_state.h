@@ -16,6 +16,8 @@ struct CheckState {
   std::optional<std::size_t> shown;    ///< index of the finding that is highlighted in the view
   std::optional<std::size_t> element;  ///< index of the only highlighted element; nullopt: all elements
   bool fresh = false;                  ///< the findings have not been displayed yet
+  std::size_t outside = 0;             ///< model vertices outside the cage that was checked last
+  bool pushed_out = false;             ///< the last change of the cage has increased `outside`
 
   void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
     shown = finding, element = one, ++revision_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 #include "base/numbered_files.h"
 #include "files/animation_export.h"
 #include "files/output.h"
@@ -80,11 +81,24 @@ bool FileBrowser::makes_pictures() const {
   return purpose == Purpose::save_animation && format_of(*this) == "png";
 }
 
-bool FileBrowser::replaces() const {
-  if (!saves()) return false;
+std::pair<fs::path, std::size_t> FileBrowser::replaced() const {
+  std::pair<fs::path, std::size_t> all;
+  if (!saves()) return all;
+  const auto add = [&](const fs::path& file) {
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored) && !in_use.find(file) && all.second++ == 0) all.first = file;
+  };
   const fs::path file = chosen_file(*this);
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored) && !in_use.find(file);
+  if (!base::NumberedName::is_pattern(file)) {
+    add(file);
+    return all;
+  }
+  try {
+    for (const base::NumberedFile& frame : base::NumberedName(file).find())
+      if (frame.number >= first_frame && frame.number <= last_frame) add(frame.path);
+  } catch (const base::Error&) {  // the export reports an unsuitable name or folder
+  }
+  return all;
 }
 
 void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const std::string& suggested,

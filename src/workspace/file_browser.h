@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "document/files_in_use.h"
@@ -67,6 +68,7 @@ struct FileBrowser {
 
   MorphChoice morphs;
   std::optional<PictureChoice> pictures;  ///< set when an animation is saved
+  int first_frame = 1, last_frame = 0;    ///< the frames of the animation
 
   bool saves() const { return purpose >= Purpose::save_session; }
   /// The file extensions that fit the purpose.
@@ -75,8 +77,9 @@ struct FileBrowser {
   bool makes_morphs() const;
   /// True if the text field contains the name of PNG pictures for an animation.
   bool makes_pictures() const;
-  /// True if saving would overwrite an existing file that is not in use.
-  bool replaces() const;
+  /// The existing files that saving would overwrite, except files in use: the first file and the number.
+  std::pair<std::filesystem::path, std::size_t> replaced() const;
+  bool replaces() const { return replaced().second > 0; }
 };
 
 /// Opens the browser in `folder`, or in the current folder if `folder` is empty or missing.

@@ -54,6 +54,8 @@ void save_animation(Workspace& w) {
   const glm::ivec2 size = glm::clamp(glm::ivec2(w.view.viewport.window), least_picture, largest_picture);
   w.files.browser.pictures = PictureChoice{
       .grid = w.view.options.grid, .light = !w.view.options.dark, .width = size.x, .height = size.y};
+  w.files.browser.first_frame = w.document.timeline.first;
+  w.files.browser.last_frame = w.document.timeline.last;
 }
 
 constexpr Condition has_example{[](const Workspace& w) { return !w.files.example.empty(); },
@@ -134,11 +136,12 @@ void add_file_commands(CommandTable& table) {
             passing([](Workspace& w) {
               if (!std::exchange(w.recovery.offered, true)) return;
               w.jobs.requests.open =
-                  files::OpenRequest{files::OpenRequest::What::recovery, {w.recovery.files.front().file}};
+                  files::OpenRequest{files::OpenRequest::What::recovery, {w.recovery.offers().front().file}};
             }));
   table.add("discard_leftovers", {"Discard recovered edits", "Discard"},
-            "Delete all recovered edits permanently.", offers_recovery,
-            passing([](Workspace& w) { w.files.question = ask_before_discarding(w.recovery.files.size()); }));
+            "Delete the listed recovered edits permanently.", offers_recovery, passing([](Workspace& w) {
+              w.files.question = ask_before_discarding(w.recovery.offers().size());
+            }));
   table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
             "Hide this row. The next start offers the recovered edits again.", offers_recovery,
             passing([](Workspace& w) { w.recovery.offered = false; }));

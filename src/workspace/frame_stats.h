@@ -80,6 +80,7 @@ struct FieldView {
   std::shared_ptr<const std::vector<float>> values;  ///< one per vertex; null: none
   std::string problem{};                             ///< why there are no values; empty: no problem
   bool holds_range = false;                          ///< true: the colour range is locked
+  std::pair<double, double> own_range{};             ///< the colour range without the other views
 };
 
 /// The vertex inspector's data for a picked vertex.

@@ -24,6 +24,13 @@ constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"View", {"View"}},        {"Deform", {"Method", "Blend", "Map", "Views"}},
                             {"Help", {"Help", "Keys"}}};
 
+// The first commands of the sections of long menus.
+constexpr std::string_view section_starts =
+    " save_session save_model restore_leftover screenshot quit select_all select_box select_more "
+    "hide_selected save_set edit_cage split_edges subdivide_cage fit_cage toggle_pulls bend copy_pose "
+    "place_pivot mirror_copy mask_clear import_poses set_key previous_frame fit_range import_animation "
+    "toggle_timeline toggle_z_up toggle_wireframe toggle_grid toggle_theme toggle_panels ";
+
 std::vector<Menu> make_menus() {
   std::vector<Menu> all;
   for (const Title& title : titles) {
@@ -71,6 +78,10 @@ int fit_of_all(const Command& command, const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+bool begins_section(const Command& command) {
+  return section_starts.find(' ' + command.name + ' ') != std::string_view::npos;
+}
 
 std::span<const Menu> menus() {
   static const std::vector<Menu> all = make_menus();

@@ -90,6 +90,14 @@ Question ask_before_replacing(const std::filesystem::path& session) {
       ""};
 }
 
+Question ask_to_save_meshes(const std::string& names) {
+  return {Asked::moved,
+          names + (names.find(" and ") == std::string::npos ? " was" : " were") + " moved or deleted",
+          "A session refers to the files of its meshes. They are still open here and can be saved beside the "
+          "session.",
+          ""};
+}
+
 Question ask_after_failed_save(const std::string& work, Asked kind, const std::string& why) {
   return {kind, title_before(work, kind), "Saving failed:", why};
 }
@@ -113,7 +121,7 @@ Question ask_before_discarding(std::size_t count) {
 }
 
 std::size_t answer_count(Asked kind) {
-  return kind <= Asked::replace ? 3 : 2;
+  return kind <= Asked::moved ? 3 : 2;
 }
 
 const char* label(Asked kind, Answer answer) {
@@ -123,6 +131,7 @@ const char* label(Asked kind, Answer answer) {
     case Asked::close: return saves ? "Save" : "Close without saving";
     case Asked::open: return saves ? "Save" : "Open without saving";
     case Asked::replace: return saves ? "Save as" : "Save anyway";
+    case Asked::moved: return saves ? "Save meshes too" : "Save session only";
     case Asked::locate_model:
     case Asked::locate_cage: return "Locate file...";
     case Asked::fins: return "Remove fins";

@@ -73,6 +73,7 @@ struct Question {
     close,         ///< closing the program, if unsaved edits could not be backed up
     open,          ///< opening another document, if unsaved edits could not be backed up
     replace,       ///< overwriting a session that changed on disk
+    moved,         ///< saving a session whose model or cage was moved or deleted
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing
     fins,          ///< opening a cage with fins (surfaces with the outside on both sides)
@@ -88,6 +89,8 @@ struct Question {
 Question ask_before_closing(const std::string& work, const std::string& why);
 Question ask_before_opening(const std::string& work, const std::string& why);
 Question ask_before_replacing(const std::filesystem::path& session);
+/// `names` are the names of the missing files.
+Question ask_to_save_meshes(const std::string& names);
 Question ask_after_failed_save(const std::string& work, Question::Kind kind, const std::string& why);
 
 /// `key` must be "model" or "cage".

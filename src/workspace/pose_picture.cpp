@@ -102,11 +102,11 @@ PictureView view_of(std::vector<mesh::Point> rest, const std::vector<mesh::Point
 
 }  // namespace
 
-std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose,
+std::vector<PictureShape> pose_picture(const mesh::Surface& cage, std::span<const mesh::Point> posed,
                                        document::UpAxis up) {
-  if (cage.surface.polygon_count() > most_faces) return {};
-  const std::vector<mesh::Point> at = upright(pose.positions, up);
-  return lit_model(view_of(upright(cage.surface.positions, up), at, pose_picture_size), cage.surface, at);
+  if (cage.polygon_count() > most_faces) return {};
+  const std::vector<mesh::Point> at = upright(posed, up);
+  return lit_model(view_of(upright(cage.positions, up), at, pose_picture_size), cage, at);
 }
 
 const std::vector<PictureShape>& PosePictures::of(const document::Document& document,
@@ -121,7 +121,7 @@ const std::vector<PictureShape>& PosePictures::of(const document::Document& docu
   if (pose->shape) {
     picture.shapes = shape_picture(*model_, *pose->shape, up, pose_picture_size);
   } else if (cage_) {
-    picture.shapes = pose_picture(*cage_, pose->cage, up);
+    picture.shapes = pose_picture(cage_->surface, pose->cage.positions, up);
   }
   return picture.shapes;
 }

@@ -62,7 +62,7 @@ std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface
 inline constexpr glm::vec2 pose_picture_size{56, 42};
 
 /// The posed cage, scaled so that the cage at rest fits too. Empty for a cage with very many faces.
-std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose,
+std::vector<PictureShape> pose_picture(const mesh::Surface& cage, std::span<const mesh::Point> posed,
                                        document::UpAxis up);
 
 /// Caches the picture of each pose as long as the pose is in use elsewhere.

@@ -7,6 +7,7 @@
 #include "document/brush.h"
 #include "document/pose_edit.h"
 #include "files/output.h"
+#include "formats/format_table.h"
 #include "formats/write.h"
 #include "workspace/playing.h"
 #include "workspace/split.h"
@@ -42,40 +43,38 @@ bool is_timeline_pose(const Workspace& w) {
 }
 
 // True if the probes equal the saved probes. If `by_time`, ignores poses of unlocked probes: keys set them.
-bool same_probes(const Workspace& w, bool by_time) {
+bool same_probes(const Workspace& w, const document::DocumentState& saved, bool by_time) {
   deform::Probes now = w.document.probes;
-  const auto& saved = w.files.saved.state.probes.all;
-  for (std::size_t i = 0; by_time && i < std::min(now.all.size(), saved.size()); ++i)
-    if (!now.all[i].locked) now.all[i].pose = saved[i].pose;
-  return now == w.files.saved.state.probes;
+  for (std::size_t i = 0; by_time && i < std::min(now.all.size(), saved.probes.all.size()); ++i)
+    if (!now.all[i].locked) now.all[i].pose = saved.probes.all[i].pose;
+  return now == saved.probes;
 }
 
 // True if the named poses equal the saved ones. If `by_time`, ignores weights: another frame clears them.
-bool same_library(const Workspace& w, bool by_time) {
+bool same_library(const Workspace& w, const document::PoseLibrary& saved, bool by_time) {
   document::PoseLibrary now = w.document.library;
-  const auto& saved = w.files.saved.state.library;
   for (std::size_t i = 0; by_time && i < std::min(now.poses.size(), saved.poses.size()); ++i)
     now.poses[i].weight = saved.poses[i].weight;
   return now == saved;
 }
 
 // True if the timeline is saved. An unkeyed pose can be saved in Timeline::unkeyed or as the document's pose.
-bool same_timeline(const Workspace& w) {
+bool same_timeline(const Workspace& w, const document::DocumentState& saved) {
   document::Timeline now = w.document.timeline;
-  if (now == w.files.saved.state.timeline) return true;
+  if (now == saved.timeline) return true;
   const auto is_saved = [&](const document::PoseKey& left) {
-    const auto is_same = [&](const document::PoseKey& saved) { return *saved.pose == *left.pose; };
+    const auto is_same = [&](const document::PoseKey& key) { return *key.pose == *left.pose; };
     const auto same_probe = [](const deform::ProbePose& pose, const deform::Probe& probe) {
       return probe.locked || pose == probe.pose;
     };
-    return std::ranges::any_of(w.files.saved.state.timeline.unkeyed, is_same) ||
-           (document::same_shape(left.pose->shape, w.files.saved.state.shape) &&
-            document::same_pose(left.pose->cage, w.files.saved.state.pose) &&
-            std::ranges::equal(left.pose->probes, w.files.saved.state.probes.all, same_probe));
+    return std::ranges::any_of(saved.timeline.unkeyed, is_same) ||
+           (document::same_shape(left.pose->shape, saved.shape) &&
+            document::same_pose(left.pose->cage, saved.pose) &&
+            std::ranges::equal(left.pose->probes, saved.probes.all, same_probe));
   };
   const bool all_saved = std::ranges::all_of(now.unkeyed, is_saved);
-  now.unkeyed = w.files.saved.state.timeline.unkeyed;
-  return all_saved && now == w.files.saved.state.timeline;
+  now.unkeyed = saved.timeline.unkeyed;
+  return all_saved && now == saved.timeline;
 }
 
 }  // namespace
@@ -111,6 +110,43 @@ bool save_cage(Workspace& w, const fs::path& path) {
   });
 }
 
+namespace {
+
+bool is_moved(const document::OpenedSurface& mesh) {
+  std::error_code ignored;
+  return mesh.surface && !mesh.path.empty() && !fs::exists(mesh.path, ignored);
+}
+
+// A free name beside a session, in a format that keeps the order of the vertices.
+fs::path name_beside(const fs::path& session, const document::OpenedSurface& mesh, bool rewrites) {
+  fs::path file = session.parent_path() / mesh.path.filename();
+  const bool keeps = formats::is_a(formats::keeps_order, file) ||
+                     (rewrites && formats::writes_itself(mesh.original.get(), file));
+  return base::unused_name(keeps ? file : file.replace_extension("ply"));
+}
+
+}  // namespace
+
+std::string moved_files(const Workspace& w) {
+  std::string names = is_moved(w.document.model) ? name_of(w.document.model) : "";
+  if (is_moved(w.document.cage_file)) names += (names.empty() ? "" : " and ") + name_of(w.document.cage_file);
+  return names;
+}
+
+bool save_moved_files(Workspace& w, const fs::path& session) {
+  document::OpenedSurface& model = w.document.model;
+  const document::OpenedSurface& cage = w.document.cage_file;
+  if (is_moved(cage) && !save_cage(w, name_beside(session, cage, false))) return false;
+  if (!is_moved(model)) return true;
+  const fs::path file = name_beside(session, model, true);
+  return attempt(w, "model", file, document::the_model, [&] {
+    const formats::Content content{*model.surface, model.surface->positions, {}, model.attributes.get()};
+    for (const std::string& note : formats::write(file, content, model.original.get(), {}))
+      w.messages.log(Severity::warning, note);
+    model.path = file;
+  });
+}
+
 void report_refusal(Workspace& w, const fs::path& file, const std::string& problem, std::string_view topic) {
   if (!refuse(w.files.browser, file, problem)) w.messages.error(problem, {topic});
 }
@@ -127,16 +163,18 @@ std::string window_title(const Workspace& w) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
+  return w.files.saved.recovered || differs(w, w.files.saved.state);
+}
+
+bool differs(const Workspace& w, const document::DocumentState& saved) {
   const bool by_time = is_timeline_pose(w);
-  auto& saved = w.files.saved;
-  if (saved.recovered || w.document.cage != saved.state.cage || !same_probes(w, by_time) ||
-      w.document.groups.sets != saved.state.groups.sets || !same_library(w, by_time) ||
-      !same_timeline(w) || !document::same_mask(w.document.mask, saved.state.mask))
+  if (w.document.cage != saved.cage || !same_probes(w, saved, by_time) ||
+      w.document.groups.sets != saved.groups.sets || !same_library(w, saved.library, by_time) ||
+      !same_timeline(w, saved) || !document::same_mask(w.document.mask, saved.mask))
     return true;
-  return w.document.is_movable() &&
-         (w.document.scheme != saved.state.scheme ||
-          (!by_time && (!document::same_shape(w.document.shape, saved.state.shape) ||
-                        !document::same_pose(real_pose(w.document), saved.state.pose))));
+  return w.document.is_movable() && (w.document.scheme != saved.scheme ||
+                                     (!by_time && (!document::same_shape(w.document.shape, saved.shape) ||
+                                                   !document::same_pose(real_pose(w.document), saved.pose))));
 }
 
 void mark_saved(Workspace& w) {

@@ -18,6 +18,12 @@ bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 /// Saves the cage at rest. Afterwards the cage belongs to this file.
 bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 
+/// The names of the document's files that were moved or deleted: "model.obj and cage.obj"; empty if none.
+std::string moved_files(const Workspace& workspace);
+/// Writes the meshes of these files beside a session, and lets the document refer to the new files. Shows
+/// messages. Returns true on success.
+bool save_moved_files(Workspace& workspace, const std::filesystem::path& session);
+
 /// Shows why a file cannot be read or written: in the browser that requested the file, or as a message.
 void report_refusal(Workspace& workspace, const std::filesystem::path& file, const std::string& problem,
                     std::string_view topic);
@@ -31,6 +37,8 @@ std::string window_title(const Workspace& workspace);
 /// keys, probes, mask, selection sets or deformer settings. A pose that comes from the keys does not count.
 /// The method, camera, view and selection do not count either, although a session stores their values.
 bool has_unsaved_edits(const Workspace& workspace);
+/// True if the document has edits that `saved`, whose pose is the real_pose(), does not have.
+bool differs(const Workspace& workspace, const document::DocumentState& saved);
 /// Marks the document, or only its pose, as saved.
 void mark_saved(Workspace& workspace);
 void mark_pose_saved(Workspace& workspace);

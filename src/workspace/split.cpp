@@ -20,6 +20,7 @@ void put_ways(Split& split, const document::SideWays& ways) {
   split.views.resize(1);
   for (const document::SideWay& way : ways.sides) split.views.push_back({way});
   split.active = 0;
+  split.before.reset();
   if (split.on()) split.linked = ways.cameras.empty();
   split.cameras = ways.cameras;
   if (!split.linked)

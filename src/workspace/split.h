@@ -30,9 +30,10 @@ struct Split {
   static constexpr std::size_t most = document::SideWays::most + 1;
 
   std::vector<SplitView> views = std::vector<SplitView>(1);
-  bool linked = true;                         ///< all views share one camera
-  std::size_t active = 0;                     ///< the view with the gizmo and the current camera
-  std::vector<document::CameraPose> cameras;  ///< if not linked: one per view; unused for the active view
+  bool linked = true;                          ///< all views share one camera
+  std::size_t active = 0;                      ///< the view with the gizmo and the current camera
+  std::vector<document::CameraPose> cameras;   ///< if not linked: one per view; unused for the active view
+  std::optional<document::CameraPose> before;  ///< the camera before the view was split
 
   std::size_t count() const { return views.size(); }
   bool on() const { return count() > 1; }

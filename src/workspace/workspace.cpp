@@ -104,6 +104,25 @@ analysis::Field shown_field(const Workspace& w, std::size_t view) {
   return exists && !shows_mask(w) ? way.field : analysis::Field::none;
 }
 
+namespace {
+
+// True if the outer box contains the middle half of the inner box. A cage can be tight in places.
+bool contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double quarter = 0.25 * (inner.high[a] - inner.low[a]);
+    if (outer.low[a] > inner.low[a] + quarter || outer.high[a] < inner.high[a] - quarter) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<files::RecoveryFile> Recovery::offers() const {
+  std::vector<files::RecoveryFile> unseen = files;
+  std::erase_if(unseen, [](const files::RecoveryFile& file) { return file.restored; });
+  return unseen.empty() ? files : unseen;
+}
+
 float offer_height(const Workspace& w) {
   constexpr float usual = 152, with_cage_beside = 198;
   const bool offered = w.panels.offer_cage && w.view.options.panels && w.document.model.surface &&
@@ -116,9 +135,12 @@ float offer_height(const Workspace& w) {
 void frame_all(Workspace& w, bool eased) {
   const document::Document& document = w.document;
   if (!document.model.surface) return;
-  // The cage encloses the model. If there is a cage, it is enough to show the cage.
-  const std::vector<mesh::Point> points =
-      document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
+  // Usually the cage encloses the model, so that it is enough to show the cage.
+  std::vector<mesh::Point> points;
+  if (document.has_cage()) points = element_points(*document.cage, document.pose);
+  const mesh::Bounds& model = document.model.bounds;
+  if (!document.has_cage() || !contains(document.cage_file.bounds, model))
+    std::ranges::copy(corners(model), std::back_inserter(points));
   w.view.camera.frame(in_view(document.space, points), w.view.viewport, eased, offer_height(w));
 }
 
@@ -200,6 +222,9 @@ void split_view(Workspace& w, std::size_t count) {
   Split& split = w.view.split;
   count = std::clamp<std::size_t>(count, 1, Split::most);
   enter_view(w, 0);
+  if (!split.on() && count > 1) split.before = w.view.camera.destination();
+  if (split.on() && count == 1 && split.before)
+    w.view.camera.set_pose(*std::exchange(split.before, std::nullopt));
   split.views.resize(std::min(count, split.count()));
   while (split.count() < count)
     split.views.push_back({{unused_scheme(w), w.document.method, w.view.options.field}});

@@ -229,8 +229,11 @@ struct Files {
 /// Unsaved edits of earlier documents and runs. Written by autosave and the recovery commands.
 struct Recovery {
   std::vector<files::RecoveryFile> files;  ///< files with recovered edits, newest first
-  bool offered = false;                    ///< show the notice about these files
+  bool offered = false;                    ///< show the notice about offers()
   std::filesystem::path from;              ///< the open recovery file, until its edits are saved elsewhere
+
+  /// The files that were not restored yet, newest first. If all were restored, all files.
+  std::vector<files::RecoveryFile> offers() const;
 };
 
 /// State that panels keep between drawn pictures. Written by panels and their commands.
@@ -238,6 +241,7 @@ struct Panels {
   Palette palette;
   KeyList key_list;
   PosePictures pose_pictures;
+  std::map<std::filesystem::path, std::vector<PictureShape>> recovery_pictures;  ///< by recovery file
   CopiedPose copied;
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;

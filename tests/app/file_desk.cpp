@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "document/pose_edit.h"
+#include "document/record.h"
 #include "formats/write.h"
+#include "support/commands.h"
 #include "support/files.h"
 #include "support/shapes.h"
 #include "support/text.h"
@@ -261,11 +263,20 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   CHECK(d.workspace.recovery.files.empty());
   CHECK_FALSE(d.workspace.recovery.offered);
   SUBCASE("closed without further edits, they are kept where they were and not offered again") {
+    document::record_edit(d.workspace.document, "select all");
+    d.workspace.document.selection.select_all(8);
     d.quit();
     REQUIRE(d.desk->closed());
     CHECK_FALSE(d.desk->kept());
+    test::put_file(d.state / "recovery" / "999999999-7.viete", "of another program");
     end_program(d);
+    CHECK(d.workspace.recovery.offered);  // the other file
+    REQUIRE(d.workspace.recovery.offers().size() == 1);
+    test::run_command(d.workspace, "discard_leftovers");
+    d.answer(workspace::Answer::save);
     CHECK_FALSE(d.workspace.recovery.offered);
+    REQUIRE(d.workspace.recovery.files.size() == 1);
+    CHECK(d.workspace.recovery.files[0].cage->positions.size() == d.workspace.recovery.files[0].posed.size());
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
@@ -416,4 +427,43 @@ TEST_CASE("an_export_overwrites_no_open_file") {
   d.frame();
   d.desk->finish_exports(d.workspace);
   CHECK(std::filesystem::exists(d.files / "out.obj"));
+}
+
+TEST_CASE("a_session_whose_meshes_were_moved_is_saved_with_new_files_of_them_after_asking") {
+  Desk d;
+  d.open_cubes();
+  d.edit();
+  const auto posed = d.workspace.document.pose.positions;
+  std::filesystem::create_directory(d.files / "moved");
+  for (const char* name : {"model.obj", "cage.obj"})
+    std::filesystem::rename(d.files / name, d.files / "moved" / name);
+  std::filesystem::create_directory(d.files / "work");
+  const auto session = d.files / "work" / "a.viete";
+  const auto save = [&] {
+    d.workspace.jobs.requests.save_session = session;
+    d.frame();
+    REQUIRE(d.asks(QuestionKind::moved));
+    CHECK(d.workspace.files.question->title == "model.obj and cage.obj were moved or deleted");
+  };
+  save();
+  d.answer(workspace::Answer::cancel);
+  CHECK_FALSE(std::filesystem::exists(session));
+  SUBCASE("with the meshes") {
+    test::put_file(d.files / "work" / "cage.obj", "somebody's");
+    save();
+    d.answer(workspace::Answer::save);
+    CHECK_FALSE(workspace::has_unsaved_edits(d.workspace));
+    CHECK(test::file_bytes(d.files / "work" / "cage.obj") == "somebody's");
+    d.open({session});
+    CHECK(d.workspace.document.model.path.filename() == "model.obj");
+    CHECK(d.workspace.document.cage_file.path.filename() == "cage-2.obj");
+    CHECK(d.workspace.document.pose.positions == posed);
+    CHECK(d.workspace.messages.all().back().severity == workspace::Severity::info);
+  }
+  SUBCASE("the session only") {
+    save();
+    d.answer(workspace::Answer::proceed);
+    CHECK(std::filesystem::exists(session));
+    CHECK_FALSE(std::filesystem::exists(d.files / "work" / "model.obj"));
+  }
 }

@@ -100,6 +100,17 @@ TEST_CASE("vertices_of_the_cage_that_have_no_face_do_not_move_the_view_away") {
   CHECK(with_stray.view.camera.pose().distance == doctest::Approx(plain.view.camera.pose().distance));
 }
 
+TEST_CASE("the_camera_shows_the_whole_model_in_the_cage_of_another_model") {
+  const test::CubeFiles files;
+  formats::write(files / "tiny.obj", test::cube(0.01));
+  Workspace alone, inside;
+  REQUIRE(test::load_model(alone, files.model, files.cage));
+  REQUIRE(test::load_model(inside, files.model, files / "tiny.obj"));
+  frame_all(alone, false);
+  frame_all(inside, false);
+  CHECK(inside.view.camera.pose().distance > 0.5 * alone.view.camera.pose().distance);
+}
+
 TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose_and_as_unsaved_as_the_one_before") {
   const test::CubeFiles files;
   for (const bool edited : {false, true}) {

@@ -122,3 +122,22 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   c.open_cage(c.folder / "cage.obj");
   CHECK(d.workspace().checks.findings.empty());
 }
+
+TEST_CASE("an_edit_of_the_cage_that_pushes_vertices_out_offers_to_enclose_the_model") {
+  Checked c;
+  formats::write(c.folder / "tight.obj", test::ball(1.1, 1));
+  Driver& d = c.d;
+  c.open_cage(c.folder / "tight.obj");
+  CHECK_FALSE(c.shows("enclose_model"));
+  const std::size_t before = d.workspace().checks.outside;
+  d.run("edit_cage");
+  d.document().selection.apply(std::vector<std::uint32_t>{3}, document::SelectMode::replace);
+  d.run("remove_elements");
+  c.check();
+  REQUIRE(d.workspace().checks.outside > before);
+  CHECK(c.shows("enclose_model"));
+  d.run("enclose_model");
+  c.check();
+  CHECK(d.workspace().checks.outside == 0);
+  CHECK_FALSE(c.shows("hide_cage_offer"));
+}

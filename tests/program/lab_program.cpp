@@ -8,7 +8,7 @@
 #include "document/pose_edit.h"
 #include "document/probes.h"
 #include "formats/write.h"
-#include "program/driver.h"
+#include "program/small_scene.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 #include "workspace/split.h"
@@ -172,6 +172,26 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.settle();
   CHECK(split.sides().empty());
   CHECK(d.workspace().view.viewport.pane_size == glm::vec2(1, 1));
+}
+
+TEST_CASE("closing_views_brings_back_the_camera_and_the_colour_range") {
+  test::SmallScene s;
+  Driver& d = s.d;
+  for (auto& p : d.document().changed_pose().positions) p[0] *= 1.1;
+  d.run("map_displacement");
+  d.settle();
+  auto& split = d.workspace().view.split;
+  const auto camera = d.workspace().view.camera.pose();
+  const auto stats = split.views[0].shown.stats;
+  workspace::split_view(d.workspace(), 2);
+  d.settle();
+  split.views[0].shown.stats.high = 3 * stats.high;  // as a view with larger values does
+  d.run("frame_all");
+  d.settle();
+  workspace::split_view(d.workspace(), 1);
+  d.settle();
+  CHECK(d.workspace().view.camera.pose() == camera);
+  CHECK(split.views[0].shown.stats.high == stats.high);
 }
 
 TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document") {

@@ -326,9 +326,20 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
   ask_for(d, "save_session_as", top / "text.viete");
   check_refused(d, top / "text.viete");
   CHECK(test::file_bytes(top / "text.viete") == "a text");
-  ask_for(d, "save_animation", top / "f_##.obj");
-  check_refused(d, top / "f_##.obj");
+  d.run("save_animation");
+  d.frame(3);
+  d.type((top / "f_##.obj").string());
+  d.press_key(workspace::Key::enter);  // asks before it exports
+  CHECK_FALSE(d.workspace().jobs.exporting.running);
+  CHECK(d.workspace().files.browser.open);
+  CHECK(d.viewer().recorder().find("file_replaces"));
   CHECK(test::file_bytes(top / "f_01.obj") == "somebody else's");
+  d.press_key(workspace::Key::enter);
+  d.frame(3);
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  CHECK_FALSE(d.workspace().files.browser.open);
+  CHECK(test::file_bytes(top / "f_01.obj") != "somebody else's");
+  d.workspace().messages.clear();
   {
     const test::FullDisk full(100);
     ask_for(d, "save_model", top / "out.obj");

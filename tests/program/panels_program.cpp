@@ -25,7 +25,7 @@ bool in_column(const ui::WidgetRect& rect, glm::vec2 window) {
 }
 
 bool on_notice_bar(const std::string& name) {
-  return name.ends_with("_leftover") || name.ends_with("_leftovers");
+  return name.ends_with("_leftover") || name.ends_with("_leftovers") || name.starts_with("recovery/");
 }
 
 void check_places(const Widgets& widgets, glm::vec2 window) {
@@ -170,7 +170,7 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
       CHECK(rect.y0 >= 0);
       CHECK(rect.y1 <= (on_notice_bar(widget) ? w.view.viewport.origin.y : static_cast<float>(size.y)));
     }
-    CHECK(seen == 6);
+    CHECK(seen == 8);
     w.files.question.reset();
     d.frame(3);
     d.click("put_off_leftovers");

@@ -359,13 +359,16 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
     Driver d(Driver::default_options({1024, 640}));
     d.open_dragon();
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
-    d.workspace().panels.ask_keys = true;
+    d.workspace().panels.ask_keys = d.workspace().preferences.ask_keys = true;
+    d.workspace().view.options.hints = false;  // after the first transform
     d.frame(3);
+    CHECK(d.workspace().preferences.ask_keys);
     d.click(chooses ? "ask_keys/blender" : "ask_keys/close");
     d.frame(2);
     CHECK(d.workspace().preferences.keymap.preset() ==
           (chooses ? workspace::KeyPreset::blender : workspace::KeyPreset::viete));
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
+    CHECK_FALSE(d.workspace().preferences.ask_keys);
   }
 }
 

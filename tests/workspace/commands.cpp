@@ -32,6 +32,19 @@ TEST_CASE("names_and_shortcuts_are_unique_and_every_command_has_a_hint") {
   }
 }
 
+TEST_CASE("no_menu_has_more_than_eight_items_without_a_separator") {
+  for (const Menu& menu : menus()) {
+    std::size_t run = 0;
+    std::string_view group, submenu;
+    for (const Command* command : menu.items) {
+      const bool inside = !command->submenu.empty() && command->submenu == submenu;  // of one submenu
+      run = command->group != group || begins_section(*command) ? 1 : run + !inside;
+      group = command->group, submenu = command->submenu;
+      CHECK_MESSAGE(run <= 8, menu.title, ": ", command->name);
+    }
+  }
+}
+
 TEST_CASE("an_unknown_command_is_not_found_a_disabled_one_does_nothing_and_a_toggle_is_on_or_off") {
   Workspace empty;
   for (const bool on : {true, false}) {

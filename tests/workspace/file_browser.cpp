@@ -163,6 +163,15 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
   CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL or PNG");
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
+  for (const char* name : {"f_2.obj", "f_3.obj", "f_4.obj"}) test::put_file(folder / name, "");
+  const std::string proposed = browser.path;
+  browser.path = "f_#.obj";
+  CHECK_FALSE(browser.replaces());
+  browser.first_frame = 3, browser.last_frame = 9;
+  CHECK(browser.replaced() == std::pair(browser.folder / "f_3.obj", std::size_t{2}));
+  browser.path = "f_#_#.obj";
+  CHECK_FALSE(browser.replaces());
+  browser.path = proposed;
   CHECK(problem_of_name(browser) == "");
   set_format(browser, "obj");
   CHECK(chosen_file(browser).filename() == "dragon_####.obj");

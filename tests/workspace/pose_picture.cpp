@@ -45,11 +45,11 @@ float signed_area(const std::vector<glm::vec2>& points) {
 TEST_CASE("a_picture_fits_its_frame_and_a_smaller_pose_is_smaller") {
   const auto document = test::cube_document();
   const auto size = [&](double factor) {
-    return extent(pose_picture(*document.cage, scaled(*document.cage, factor), UpAxis::y));
+    return extent(pose_picture(document.cage->surface, scaled(*document.cage, factor).positions, UpAxis::y));
   };
   CHECK(size(0.5).y == doctest::Approx(0.5 * size(1).y));
   CHECK(size(4).y == doctest::Approx(size(1).y));
-  for (const auto& shape : pose_picture(*document.cage, document.pose, UpAxis::y))
+  for (const auto& shape : pose_picture(document.cage->surface, document.pose.positions, UpAxis::y))
     for (const auto& p : shape.points) CHECK(glm::clamp(p, glm::vec2(0), pose_picture_size) == p);
 }
 
