@@ -192,9 +192,10 @@ void Analysis::follow_times(workspace::Workspace& w, LiveModel& model, bool move
   const auto frame = w.view.split.views[0].stats.deforming_median();
   if (!frame || (w.frame.method_times.measured && timed_ == model.frames())) return;
   const auto& methods = analysis::compared_methods;
-  const auto running = std::ranges::find(methods, frame->method);
-  if (running != methods.end())
-    w.frame.method_times.links[static_cast<std::size_t>(running - methods.begin())] = frame->links;
+  auto running = static_cast<std::size_t>(std::ranges::find(methods, frame->method) - methods.begin());
+  if (engine_ == deform::EngineKind::fused) running = workspace::MethodTimes::fused;
+  w.frame.method_times.links[running] = frame->links;
+  w.frame.method_times.busy = frame->busy;
 }
 
 void Analysis::finish_measuring(workspace::Workspace& w, LiveModel& model) {
@@ -210,7 +211,7 @@ namespace {
 
 using analysis::compared_methods;
 
-constexpr std::size_t timed_rounds = 5;
+constexpr std::size_t timed_rounds = 5, busy_rounds = 15;  // the second if the computer is busy
 // A measurement computes missing weights of the staged engine only if they need at most this many bytes.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
@@ -220,6 +221,20 @@ bool lacks_small_weights(const FrameInput& timed) {
          deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged &&
          8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
              most_weight_bytes;
+}
+
+using TimedFrames = std::array<std::vector<workspace::FrameTimes>, workspace::MethodTimes::fused + 1>;
+
+// Stores the medians. Returns true if the computer was busy.
+bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
+  times.busy = false;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].empty()) continue;
+    const workspace::FrameTimes median = workspace::median_of(frames[i]);
+    times.links[i] = median.links;
+    times.busy |= median.busy;
+  }
+  return times.busy;
 }
 
 }  // namespace
@@ -232,22 +247,28 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   const Bound& bound = timed.bound;
   deform::Deformer deformer(bound.cage, bound.binding, timed.scheme, pool,
                             bound.stitches(timed.scheme) ? bound.stitching : nullptr);
-  deformer.set_all_staged(timed.all_staged);
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
-  std::array<std::vector<workspace::FrameTimes>, compared_methods.size()> frames;
-  for (std::size_t round = 0; round <= timed_rounds; ++round) {  // round 0 fills the caches
-    for (std::size_t m = 0; m < frames.size(); ++m) {
+  MethodTimings result{{.measured = true}, bound.binding};
+  TimedFrames frames;
+  std::size_t rounds = timed_rounds;
+  for (std::size_t round = 0; round <= rounds; ++round) {  // round 0 fills the caches
+    for (std::size_t i = 0; i < frames.size(); ++i) {
       progress.report(0);
-      if (!deformer.engine(compared_methods[m])) continue;
-      deformer.deform(timed.pose, compared_methods[m]);
-      if (round > 0) frames[m].push_back({.links = deformer.times()});
+      const bool fused = i == workspace::MethodTimes::fused;
+      const sym3::Method method = fused ? sym3::Method::fast : compared_methods[i];
+      deformer.set_all_staged(!fused);
+      const auto engine = deformer.engine(method);
+      if (!engine || fused != (engine == deform::EngineKind::fused)) continue;
+      const auto cost = pool.cost();
+      deformer.deform(timed.pose, method);
+      if (round > 0) frames[i].push_back({.links = deformer.times(), .cost = pool.cost() - cost});
+      if (fused && round == 0) result.times.fused_error = deformer.sampled_error();
     }
+    if (round == timed_rounds && take_medians(frames, result.times)) rounds = busy_rounds;
   }
-  MethodTimings result{{.links = {}, .measured = true}, bound.binding};
-  for (std::size_t m = 0; m < frames.size(); ++m)
-    if (!frames[m].empty()) result.times.links[m] = workspace::median_of(frames[m]).links;
+  take_medians(frames, result.times);
   return result;
 }
 

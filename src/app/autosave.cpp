@@ -108,6 +108,10 @@ std::string Autosave::problem() const {
 // After writing, deletes the restored recovery file, because the new file contains the same edits.
 void Autosave::write(workspace::Workspace& workspace) {
   kept_ = false;
+  if (!workspace.preferences.autosave) {
+    problem_ = "Autosave is off.";
+    return;
+  }
   has_file_ = true;
   replaced_ = workspace.recovery.from;
   writing_ = queue_.add(

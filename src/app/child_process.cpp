@@ -41,7 +41,7 @@ ChildOutput output_of(const base::ChildProgram& child) {
 
 // The first process only tests whether xdg-open is installed.
 void open_in_browser(const fs::path& page) {
-  const std::string advice = "open the page yourself";
+  const std::string advice = "open " + page.string() + " in a browser";
   base::ChildProgram({"xdg-open", "--version"}, advice).finish();
   base::ChildProgram({"setsid", "--fork", "xdg-open", page.string()}, advice).finish();
 }
@@ -78,7 +78,7 @@ std::string create_and_show_report(const fs::path& program, const fs::path& stat
   try {
     open_in_browser(page);
   } catch (const base::Error& error) {
-    return "Saved the report as " + page.string() + ". No browser could be opened: " + error.what();
+    return std::string("The report is complete. ") + error.what();
   }
   return "Opened the report in the browser: " + page.string();
 }

@@ -105,8 +105,15 @@ workspace::WorkState Exporter::state() const {
 void Exporter::tell(workspace::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
                 [&](const std::string& note) { return std::ranges::count(now_.shown_notes, note) > 0; });
+  std::string command;  // makes a film of the pictures
+  std::erase_if(written.notes, [&](const std::string& note) {
+    const bool found = note.starts_with("ffmpeg ");
+    if (found) command = note;
+    return found;
+  });
   if (!written.summary.empty()) messages.log(workspace::Severity::info, written.summary);
   for (const auto& note : written.notes) messages.log(workspace::Severity::warning, note);
+  if (!command.empty()) messages.log(workspace::Severity::info, command);
   std::string text = "Saved " + now_.file.filename().string();
   if (!written.notes.empty()) text += " (" + base::counted(written.notes.size(), "note") + ", see Messages)";
   messages.info(text + ".");

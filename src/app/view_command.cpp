@@ -116,19 +116,20 @@ void WindowViewer::run(int frames) {
   }
 }
 
-// Returns the last window size, or a default if the preferences cannot be read. The viewer reports the error.
-glm::ivec2 last_window_size() {
-  constexpr glm::ivec2 usual{1440, 900};
+// Returns the preferences, or defaults if they cannot be read. The viewer reports the error.
+workspace::Preferences last_preferences() {
   try {
-    return workspace::read_preferences(preferences_file(state_folder())).window.value_or(usual);
+    return workspace::read_preferences(preferences_file(state_folder()));
   } catch (const base::Error&) {
-    return usual;
+    return {};
   }
 }
 
 // Runs the window. If no window can be opened, returns false and sets `reason`.
 bool run_window(const WindowOptions& options, std::string& reason) {
-  const auto window = platform::Window::open(last_window_size(), options.scale, reason);
+  const workspace::Preferences last = last_preferences();
+  const float scale = options.scale > 0 ? options.scale : last.scale.value_or(0);
+  const auto window = platform::Window::open(last.window.value_or(glm::ivec2(1440, 900)), scale, reason);
   if (!window) return false;
   WindowViewer shown(*window);
   Viewer& viewer = shown.viewer();

@@ -54,13 +54,6 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
   // If only the blend has changed, the weights stay valid.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
-  same_path_ = w.view.options.same_path;
-  if (deformer_ && deformer_->all_staged() != same_path_) {
-    deformer_->set_all_staged(same_path_);
-    if (draft_) draft_->set_all_staged(same_path_);
-    derived_.reset();
-    unprepared_ = true;
-  }
   // If the staged engine's weights, the stitching or the draft are missing, starts to compute the missing
   // data. Until then, the method is `fast`, without stitching.
   const bool lacks_draft = !bound_.draft && draft_of(document) && undrafted_ != bound_.binding;
@@ -105,8 +98,7 @@ void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
 }
 
 void LiveModel::start_binding(const document::Document& document) {
-  bind_for({scheme_of(document), document.method, same_path_}, document.model.surface, cage_of(document),
-           bound_,
+  bind_for({scheme_of(document), document.method}, document.model.surface, cage_of(document), bound_,
            document.has_cage() ? document::binding_plan(document, document.scheme.weighting)
                                : "Preparing the model for probes",
            draft_of(document));
@@ -139,10 +131,9 @@ void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
 }
 
 void LiveModel::renew_deformer(const deform::Scheme& scheme) {
-  make_deformer(scheme, same_path_, pool_);
+  make_deformer(scheme, pool_);
   draft_ =
       bound_.draft ? std::make_unique<deform::Deformer>(bound_.cage, bound_.draft, scheme, pool_) : nullptr;
-  if (draft_) draft_->set_all_staged(same_path_);
   derived_.reset(), drafted_.reset();
   unprepared_ = true;
 }
@@ -157,10 +148,7 @@ void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, wo
     if (!bound_.stitches(served)) served.iterations = 0;
     document::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // prevents another binding
-    if (!deformer_->engine(document.method)) {
-      w.view.options.same_path = false;
-      document.put_method(sym3::Method::fast);
-    }
+    if (!deformer_->engine(document.method)) document.put_method(sym3::Method::fast);
   }
   w.messages.say(severity, why, of_cage);
 }
@@ -190,7 +178,9 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   const bool deformed = !editing && deforms(document);
   if (deformed) {
     times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
+    const auto cost = pool_.cost();
     run(document, document.pose, document.shape, times.method);
+    times.cost = pool_.cost() - cost;
     take_carried(document);
     if (document.has_cage()) workspace::take_report(w, deformer_->state().report());
     times.links = deformer_->times();
@@ -278,14 +268,12 @@ document::SharedPose other_pose(workspace::Workspace& w) {
 }  // namespace
 
 SideModel::Made SideModel::made_of(const workspace::SplitView& side, const workspace::Workspace& w) {
-  const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method,
-                  w.view.options.same_path};
+  const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method};
   return {need, w.document.revisions().pose, w.document.mask, side.other_blending};
 }
 
 bool SideModel::serves(const Need& need) const {
-  if (!deformer_ || deformer_->scheme() != need.scheme) return false;
-  return deformer_->all_staged() == need.staged && deformer_->engine(need.method).has_value();
+  return deformer_ && deformer_->scheme() == need.scheme && deformer_->engine(need.method);
 }
 
 void SideModel::forget() {
@@ -318,7 +306,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
     side.problem = result->problem;
     if (result->value) {
       bound_ = *std::move(result->value);
-      make_deformer(asked_.scheme, asked_.staged, pool);
+      make_deformer(asked_.scheme, pool);
       made_.reset();
     }
     if (asked_ == need && !serves(need)) refused_ = need;  // binding has failed: does not try again
@@ -327,7 +315,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   const bool due = made_ != wanted && refused_ != need && !side.binding && !changes_rest(w);
   if (!due || !first.ran()) return false;
   const bool same_weights = bound_.binding->weighting == need.scheme.weighting;
-  if (!serves(need) && same_weights) make_deformer(need.scheme, need.staged, pool);
+  if (!serves(need) && same_weights) make_deformer(need.scheme, pool);
   if (!serves(need)) {
     deformer_.reset(), made_.reset();
     asked_ = need;
@@ -340,9 +328,13 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   const document::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
   const deform::Pose& pose = other ? other->cage : w.document.pose;
   base::Stopwatch watch;
+  const auto cost = pool.cost();
   run(w.document, pose, other ? other->shape : w.document.shape, side.method);
   if (!side.other_blending) drag_.after(*deformer_, drag);  // the other blending can move the whole cage
-  side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
+  side.stats.add({.when = base::wall_seconds(),
+                  .links = deformer_->times(),
+                  .frame = watch.lap_ms(),
+                  .cost = pool.cost() - cost});
   made_ = wanted;
   return true;
 }

@@ -57,7 +57,6 @@ struct FrameInput {
   Bound bound;
   deform::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
-  bool all_staged = false;  ///< true: all methods use the staged engine
   deform::Pose pose;
   deform::Mask mask;
   deform::Probes probes;
@@ -79,7 +78,6 @@ public:
     return {bound_,
             deformer_->scheme(),
             method,
-            deformer_->all_staged(),
             document.has_cage() ? document.pose : deform::rest_pose(*bound_.cage),
             deformer_->mask(),
             document.probes,
@@ -95,24 +93,20 @@ protected:
   struct Need {
     deform::Scheme scheme;
     sym3::Method method = sym3::Method::fast;
-    bool staged = false;  // true: all methods use the staged engine
     friend bool operator==(const Need&, const Need&) = default;
   };
   void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
                 std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "",
                 std::shared_ptr<const mesh::Draft> draft = nullptr) {
-    // If all methods use the staged engine, binds as for `diag`, which always uses the staged engine.
-    const sym3::Method method = need.staged ? sym3::Method::diag : need.method;
     binder_.start(
-        [=, scheme = need.scheme](base::Progress& progress) {
-          return app::bind(model, cage, scheme, method, known, progress, draft);
+        [=](base::Progress& progress) {
+          return app::bind(model, cage, need.scheme, need.method, known, progress, draft);
         },
         std::move(name));
   }
-  void make_deformer(const deform::Scheme& scheme, bool staged, base::WorkerPool& pool) {
+  void make_deformer(const deform::Scheme& scheme, base::WorkerPool& pool) {
     deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool,
                                                    bound_.stitches(scheme) ? bound_.stitching : nullptr);
-    deformer_->set_all_staged(staged);
     drag_ = {};
   }
   void run(const document::Document& document, const deform::Pose& pose, const deform::SharedShape& shape,
@@ -211,7 +205,6 @@ private:
   bool draft_news_ = false;
   std::shared_ptr<const deform::Binding> undrafted_;  // binding whose draft was given up
   mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs them
-  bool same_path_ = false;                      // true: all methods use the staged engine
   std::optional<document::Revision> given_up_;  // revision of the pose when the first binding was cancelled
   bool unprepared_ = false, prepared_ = false;
 };

@@ -48,8 +48,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
       framebuffer_(gl),
       renderer_(gl),
       view_(gl, {options.samples, options.still_samples}) {
-  fonts_ = ui::add_fonts(options.scale, options.builtin_font);
-  imgui_renderer_.upload_fonts();
+  load_fonts();
   platform::InputQueue::configure();
   for (const auto& [palette, colors] : {std::pair{render::surface_palette(33), &field_colors_.even},
                                         {render::diverging_palette(33), &field_colors_.diverging}})
@@ -62,6 +61,20 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   } catch (const std::exception&) {  // without the bundled model, offers no example
   }
   place_viewport();
+}
+
+void Viewer::load_fonts() {
+  fonts_ = ui::add_fonts(options_.scale, options_.builtin_font, characters_);
+  imgui_renderer_.upload_fonts();
+  lacks_characters_ = false;
+}
+
+// New characters are drawn from the next frame on, because fonts cannot change during a frame.
+void Viewer::follow_characters() {
+  const std::size_t known = characters_.size();
+  characters_.merge(ui::shown_characters(workspace_));
+  lacks_characters_ = characters_.size() > known;
+  if (lacks_characters_) settle(2);
 }
 
 glm::ivec2 Viewer::device_size() const {
@@ -136,6 +149,7 @@ void Viewer::take_input(float seconds) {
   io.DeltaTime = std::max(seconds, 1e-4f);
   if (!input_.empty()) settle(3);
   input_.feed_frame();
+  if (lacks_characters_) load_fonts();
   ImGui::NewFrame();
   enter_view_under_cursor();
   ui::handle_input(workspace_, pointer_);
@@ -382,10 +396,14 @@ void Viewer::upload(workspace::FrameTimes& times) {
 
 void Viewer::panels(workspace::FrameTimes& times) {
   base::Stopwatch watch;
+  const double begun = base::thread_seconds();
   recorder_.begin_frame();
   ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.options.dark), &recorder_, field_colors_});
+  follow_characters();
   ImGui::Render();
   times.panels = watch.lap_ms();
+  times.cost.longest += base::thread_seconds() - begun;
+  times.cost.wall += 1e-3 * times.panels;
 }
 
 // Continuous motion may be drawn coarsely. A single step of a model without a draft is drawn completely.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -124,6 +125,8 @@ private:
   Fineness fineness(const ViewDrawing& wanted);
   void draw_whole();
   void panels(workspace::FrameTimes& times);
+  void load_fonts();
+  void follow_characters();
   void place_viewport();
   void save_screenshot();
 
@@ -144,6 +147,8 @@ private:
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
   ui::Fonts fonts_;
+  std::set<char32_t> characters_;  // all characters after Latin-1 that were shown until now
+  bool lacks_characters_ = false;  // true: the next frame needs other fonts
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;

@@ -113,6 +113,7 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
   if (count == 0) return;
   State& s = *state_;
   block = std::max<std::size_t>(1, block);
+  const double begun = wall_seconds();
   if (s.process != getpid()) {
     for (std::size_t begin = 0; begin < count; begin += block) body(begin, std::min(count, begin + block));
     return;
@@ -133,6 +134,7 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
   s.finished.wait(lock, [&] { return s.busy == 0; });
   s.cost.caller += seconds;
   s.cost.longest += std::max(seconds, s.longest);
+  s.cost.wall += wall_seconds() - begun;
   if (s.error) std::rethrow_exception(s.error);
 }
 

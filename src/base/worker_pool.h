@@ -33,10 +33,15 @@ public:
 
   int threads() const;
 
-  /// The processor times of all loops until now, in seconds.
+  /// The times of all loops until now, in seconds.
   struct Cost {
-    double caller = 0;   ///< the time of the thread that called for_blocks()
-    double longest = 0;  ///< the sum over all loops of the slowest thread's time; usually close to wall time
+    double caller = 0;   ///< processor time of the thread that called for_blocks()
+    double longest = 0;  ///< the sum over all loops of the processor time of the slowest thread
+    double wall = 0;     ///< wall time; far above `longest` if other programs use the processor
+
+    Cost operator-(const Cost& earlier) const {
+      return {caller - earlier.caller, longest - earlier.longest, wall - earlier.wall};
+    }
   };
   Cost cost() const;
 

@@ -42,7 +42,6 @@ public:
   const Binding& binding() const { return *binding_; }
   /// If `all`, blends with exponentials use the staged engine even with method `fast`, to compare times.
   void set_all_staged(bool all) { all_staged_ = all; }
-  bool all_staged() const { return all_staged_; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
   /// See CageState::begin_drag() and FusedEngine.

@@ -254,9 +254,9 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   return scheme;
 }
 
-EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path) {
+EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool all_staged) {
   if (scheme.stitched()) return EngineKind::stitched;
-  const bool fuses = !scheme.exponential() || (method == sym3::Method::fast && !same_path);
+  const bool fuses = !scheme.exponential() || (method == sym3::Method::fast && !all_staged);
   return fuses ? EngineKind::fused : EngineKind::staged;
 }
 

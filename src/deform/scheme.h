@@ -223,7 +223,7 @@ const NumberEntry& number(std::string_view name);
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
 /// Returns `stitched` for stitched schemes, `fused` for the method `fast` and for schemes without an
-/// exponential, and otherwise `staged`. If `same_path` is true, treats `fast` like the other methods.
-EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path = false);
+/// exponential, and otherwise `staged`. If `all_staged` is true, treats `fast` like the other methods.
+EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool all_staged = false);
 
 }  // namespace viete::deform

@@ -59,8 +59,7 @@ struct Words {
 const Words& words_of(Defect defect) {
   static constexpr Words all[] = {
       {"vertex outside the cage", "vertices outside the cage", "",
-       "Log space deformers handle these vertices normally. With mean value weights, these vertices can move "
-       "against the drag."},
+       "With mean value weights, these vertices can move against the drag. All other weights work."},
       {"self-intersecting face", "self-intersecting faces",
        "Faces of the cage intersect. The model near the intersection follows all of these faces.", ""},
       {"open edge", "open edges",

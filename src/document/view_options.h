@@ -29,7 +29,6 @@ struct ViewOptions {
   bool ghost = false;                             ///< while the cage is posed, also shows its rest pose
   analysis::Field field = analysis::Field::none;  ///< the map that colours the model
   bool select_visible = false;  ///< if true, the mouse cannot select elements behind the model or the cage
-  bool same_path = false;  ///< computes the method `fast` in separate steps like other methods, for timings
   bool panels = true;
   bool hints = true;  ///< shows hints; false after the first drag
 

@@ -48,8 +48,7 @@ constexpr ViewFlag view_flags[] = {{"dark", &document::ViewOptions::dark},
                                    {"panels", &document::ViewOptions::panels},
                                    {"hints", &document::ViewOptions::hints},
                                    {"deformed", &document::ViewOptions::deformed},
-                                   {"select_visible", &document::ViewOptions::select_visible},
-                                   {"same_path", &document::ViewOptions::same_path}};
+                                   {"select_visible", &document::ViewOptions::select_visible}};
 
 constexpr std::array<std::string_view, 4> kind_words = {"vertices", "edges", "faces", "probes"};
 constexpr std::array<std::string_view, 2> axis_words = {"y", "z"}, pin_words = {"holds", "pulls"};

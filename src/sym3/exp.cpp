@@ -16,7 +16,7 @@ constexpr MethodEntry table[] = {
     {Method::improved_sd, "improved_sd", "Improved SD",
      "Spectral decomposition with eigenvalues by Viete's formula."},
     {Method::improved_sd_faithful, "improved_sd_faithful", "ISD unguarded",
-     "As Improved SD, without checks: NaN for many matrices with equal eigenvalues."},
+     "Improved SD (ISD) without checks: NaN for many matrices with equal eigenvalues."},
     {Method::fast, "fast", "Fast", "A recurrence in two invariants that needs no eigenvalues (default)."},
 };
 

@@ -36,7 +36,8 @@ private:
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;
-  ImFont* numbers = nullptr;  ///< with digits of equal width
+  ImFont* numbers = nullptr;                   ///< with digits of equal width
+  std::vector<std::vector<ImWchar>> ranges{};  ///< the glyph ranges, which ImGui's atlas refers to
 };
 
 /// Colours that ImGui's style does not include.

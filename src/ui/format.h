@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "base/text.h"
 
@@ -11,6 +12,9 @@ namespace viete::ui {
 using base::milliseconds;
 using base::nanoseconds;
 using base::formatted;
+
+/// Beside times that are too long, see workspace::FrameTimes::busy.
+inline constexpr std::string_view busy_words = "the computer is busy";
 
 /// For example "50,000".
 inline std::string count(std::size_t n) {

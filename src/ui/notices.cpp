@@ -135,21 +135,26 @@ namespace {
 
 constexpr std::size_t most_toasts = 3;
 
-// Shortens the text to two lines. The message list has the whole text.
-std::string in_two_lines(const std::string& text, float width) {
-  const auto fits = [&](const std::string& part) {
-    return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y < 2.5f * ImGui::GetTextLineHeight();
+// Shortens a text of more than six lines in its middle, because the advice is at the end. The message list
+// has the whole text.
+std::string in_six_lines(const std::string& text, float width) {
+  const auto without = [&](std::size_t cut) {
+    std::size_t begin = (text.size() - cut) / 2, end = begin + cut;
+    while (begin > 0 && (text[begin] & 0xC0) == 0x80) --begin;  // do not cut UTF-8 characters
+    while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
+    return cut == 0 ? text : text.substr(0, begin) + " ... " + text.substr(end);
   };
-  if (fits(text)) return text;
+  const auto fits = [&](std::size_t cut) {
+    const float height = ImGui::CalcTextSize(without(cut).c_str(), nullptr, false, width).y;
+    return height < 6.5f * ImGui::GetTextLineHeight();
+  };
+  if (fits(0)) return text;
   std::size_t low = 0, high = text.size();
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
-    (fits(text.substr(0, middle) + "...") ? low : high) = middle;
+    (fits(middle) ? high : low) = middle;
   }
-  const std::size_t space = text.rfind(' ', low);
-  if (space != std::string::npos && space > low / 2) low = space;
-  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // do not cut a UTF-8 character
-  return text.substr(0, low) + "...";
+  return without(high);
 }
 
 // Draws a message above `bottom` and moves `bottom` up. Returns true if the user dismisses the message.
@@ -157,7 +162,7 @@ bool toast(const Context& ui, const std::string& name, const std::string& text, 
            float& bottom) {
   constexpr float widest = 480, padding = 12, gap = 8;
   const float beside = 2 * padding + (closes ? 32 : 0), room = std::min(widest, notice_room(ui)) - beside;
-  const std::string shown = in_two_lines(text, room);
+  const std::string shown = in_six_lines(text, room);
   const ImVec2 words = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
   const Window window(name.c_str(),
                       {.at = middle_at(ui, bottom),

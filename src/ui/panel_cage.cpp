@@ -176,8 +176,8 @@ float words(const Context& ui, const std::string& title, const std::string& what
   const float wide = ImGui::CalcTextSize(title.c_str()).x;
   text_in(ui.colors.text, title);
   ImGui::PopFont();
-  text_in(ui.colors.faint, what);
-  const float width = std::max({320.0f, wide, ImGui::CalcTextSize(what.c_str()).x});
+  const float width = std::max(320.0f, wide);
+  text_in(ui.colors.faint, wrapped(what, width));
   ImGui::Dummy({width, 2});
   return width;
 }
@@ -206,7 +206,7 @@ float cage_offer(const Context& ui, float bottom) {
   const Window window(
       "Cage offer", {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {16, 14}}, card_flags);
   if (const document::Finding* finding = outside(w)) {
-    words(ui, document::title(*finding), "The cage must enclose the model.");
+    words(ui, document::title(*finding), document::meaning(*finding));
     command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
   } else {
     ways_to_a_cage(ui);

@@ -26,11 +26,22 @@ bool is_best(const workspace::MethodStats& stats, std::size_t index, double work
 }
 
 // Errors above this limit are highlighted, because they can add up to visible errors.
-constexpr double visible_error = 1e-10;
+bool is_visible(const workspace::MethodSample& sample) {
+  return !(sample.worst_error < 1e-10);
+}
+
+// A line of a card: what the value is, and the value.
+void card_line(const Context& ui, ImVec2 at, float width, const char* what, const std::string& value,
+               ImU32 color) {
+  constexpr float margin = 10;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddText(nullptr, 0.87f * ImGui::GetFontSize(), {at.x + margin, at.y}, ui.colors.faint, what);
+  text_right(ui, at.x + width - margin, value, color, at.y);
+}
 
 void card_text(const Context& ui, ImVec2 at, float width, const char* title,
                const workspace::MethodSample* sample, bool used, bool fastest, bool most_exact, bool active) {
-  constexpr float margin = 10, second_line = 25;
+  constexpr float margin = 10;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 text = used ? ui.colors.text : ui.colors.faint;
   ImGui::PushFont(ui.fonts.strong);
@@ -38,23 +49,20 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
   ImGui::PopFont();
   if (active && used) draw.AddCircleFilled({at.x + width - 13, at.y + 14}, 4, ui.colors.accent);
   if (!sample) return;
-  ImGui::PushFont(ui.fonts.numbers);
-  const std::string time = nanoseconds(sample->ns_per_matrix), worst = rough_error(sample->worst_error);
-  draw.AddText({at.x + margin, at.y + second_line}, fastest ? ui.colors.accent : text, time.c_str());
-  draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + second_line},
-               !(sample->worst_error < visible_error) ? ui.colors.warn
-               : most_exact                           ? ui.colors.accent
-                                                      : ui.colors.faint,
-               worst.c_str());
-  ImGui::PopFont();
+  card_line(ui, {at.x, at.y + 24}, width, "per matrix", nanoseconds(sample->ns_per_matrix),
+            fastest ? ui.colors.accent : text);
+  card_line(ui, {at.x, at.y + 40}, width, "largest error", rough_error(sample->worst_error),
+            is_visible(*sample) ? ui.colors.warn
+            : most_exact        ? ui.colors.accent
+                                : ui.colors.faint);
 }
 
-// A large button with the method's name, time per matrix and worst error. The best values are coloured.
+// A large button with the method's name, time per matrix and largest error. The best values are coloured.
 void method_card(const Context& ui, std::size_t index, float width, bool used) {
   workspace::Workspace& w = ui.workspace;
   const workspace::Command& command = *workspace::find_command(command_names[index]);
   const bool active = w.document.method == analysis::compared_methods[index];
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 46};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 62};
   if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
   record(ui, command_names[index], used);
   card(ui, at, {at.x + size.x, at.y + size.y}, active && used);
@@ -81,12 +89,14 @@ void panel_method(const Context& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  note(ui, !used                                     ? "This deformer uses no exponential."
-           : document::differs_from_rest(w.document) ? "Time per matrix and largest error"
-                                                     : "At rest every method is exact.");
+  const bool orange = running_sample(w) && std::ranges::any_of(w.frame.methods.samples, is_visible);
+  note(ui, !used                                      ? "This deformer uses no exponential."
+           : !document::differs_from_rest(w.document) ? "Pose the cage to compare the methods."
+           : orange                                   ? "Orange: this error can become visible."
+                                                      : "Medians over the matrices of this frame");
   hint("Median time over " + count(w.frame.methods.matrices) +
-       " matrices of this frame; errors are relative to 106-bit results. Colours mark the best values and "
-       "errors above 1e-10.");
+       " matrices of this frame; errors are relative to 106-bit results. Teal marks the best values, "
+       "orange errors above 1e-10, which can add up to visible errors. At rest all errors are 0.");
 }
 
 namespace {
@@ -138,24 +148,62 @@ Stage segments(const Context& ui, const workspace::LinkTimes& times, double long
   return under_cursor;
 }
 
+std::string label_of(const Context& ui, std::size_t index) {
+  if (!ui.workspace.document.scheme.exponential()) return "All";  // the methods do not differ
+  return method_label(index < all_methods ? compared_methods[index] : workspace::Method::fast);
+}
+
+// The bar of an entry of MethodTimes::links. Returns the stage under the cursor.
 Stage bar(const Context& ui, std::size_t index, double longest) {
   constexpr float label_width = 88, value_width = 68;
   const workspace::MethodTimes& all = ui.workspace.frame.method_times;
   const workspace::LinkTimes& times = all.links[index];
-  const bool runs = compared_methods[index] == ui.workspace.document.method;
+  const bool runs = index == workspace::running_times(ui.workspace);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, room = width - label_width - value_width;
-  text_in(runs ? ui.colors.accent : ui.colors.faint, method_label(compared_methods[index]));
-  record(ui, "timings/" + method_label(compared_methods[index]));
+  text_in(runs ? ui.colors.accent : ui.colors.faint, label_of(ui, index));
+  record(ui, "timings/" + (index < all_methods ? label_of(ui, index) : "fused"));
   if (times.total() > 0) {
-    text_right(ui, at.x + width, milliseconds(times.total()), ui.colors.text, at.y);
+    text_right(ui, at.x + width, milliseconds(times.total()), all.busy ? ui.colors.faint : ui.colors.text,
+               at.y);
     return segments(ui, times, longest, {at.x + label_width, at.y}, room);
   }
   if (all.measured) {
-    hint("This method needs much memory for this model.");
-    ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint, "select to measure");
+    hint("This method needs much memory for this model. Select a method other than Fast to measure it.");
+    ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint, "not measured");
   }
   return std::nullopt;
+}
+
+// A line above bars that names their engine.
+void engine_line(const Context& ui, const char* engine, const char* tip) {
+  text_in(ui.colors.faint, engine);
+  hint(tip);
+}
+
+// The bars of all methods in one engine, and below the bar of `fast` in the fused engine, with its error.
+Stage engine_bars(const Context& ui) {
+  const workspace::Workspace& w = ui.workspace;
+  double longest = 1e-9;
+  for (const auto& times : w.frame.method_times.links) longest = std::max(longest, times.total());
+  Stage stage;
+  const auto add = [&](std::size_t index) {
+    if (const Stage hit = bar(ui, index, longest)) stage = hit;
+  };
+  if (w.document.scheme.exponential()) {
+    engine_line(ui,
+                w.document.scheme.stitched() ? "Stitched engine" : "Same engine: staged, double precision",
+                "These times compare the methods: all other steps are the same.");
+    for (std::size_t i = 0; i < all_methods; ++i) add(i);
+  }
+  if (w.document.scheme.stitched()) return stage;
+  ImGui::Dummy({1, 2});
+  engine_line(
+      ui, "Fused engine: one pass, single precision",
+      "The engine of the method Fast, and of deformers without exponentials. It differs from the staged "
+      "engine in steps, precision and memory, so that its time does not compare methods.");
+  add(workspace::MethodTimes::fused);
+  return stage;
 }
 
 bool is_measured(const workspace::MethodTimes& all, Link stage) {
@@ -191,9 +239,10 @@ Stage legend(const Context& ui) {
 
 void stage_tooltip(const Context& ui, Link stage) {
   std::string text = std::string(name(stage)) + ": " + stage_hint(stage);
-  for (std::size_t i = 0; i < all_methods; ++i) {
+  for (std::size_t i = 0; i <= all_methods; ++i) {
     const double ms = ui.workspace.frame.method_times.links[i][stage];
-    if (ms > 0) text += "\n" + method_label(compared_methods[i]) + ": " + milliseconds(ms);
+    const char* engine = i == workspace::MethodTimes::fused ? ", fused engine: " : ": ";
+    if (ms > 0) text += "\n" + label_of(ui, i) + engine + milliseconds(ms);
   }
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(wrapped(text, 268).c_str());
@@ -209,12 +258,14 @@ void rest_of_frame(const Context& ui) {
   };
   std::array<Column, 5> columns{
       {{"upload", 0.17f}, {"panels", 0.36f}, {"draw", 0.53f}, {"total", 0.75f}, {"frames/s", 1}}};
+  ImU32 color = ui.colors.text;
   if (const auto& frame = ui.workspace.view.split.views[0].stats.median()) {
     columns[0].value = base::few_digits(frame->upload);
     columns[1].value = base::few_digits(frame->panels);
     columns[2].value = base::few_digits(frame->draw);
     columns[3].value = milliseconds(frame->frame);
     columns[4].value = base::few_digits(1000 / std::max(frame->frame, 1e-3));
+    if (frame->busy) color = ui.colors.faint;
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight();
@@ -222,7 +273,7 @@ void rest_of_frame(const Context& ui) {
     const float right = at.x + column.right * width;
     ImGui::GetWindowDrawList()->AddText({right - ImGui::CalcTextSize(column.heading).x, at.y},
                                         ui.colors.faint, column.heading);
-    text_right(ui, right, column.value, ui.colors.text, at.y + line);
+    text_right(ui, right, column.value, color, at.y + line);
   }
   ImGui::Dummy({width, 2 * line});
   hint(
@@ -230,43 +281,32 @@ void rest_of_frame(const Context& ui) {
       "includes the deformation.");
 }
 
-void errors(const Context& ui) {
+// The error of the fused engine, from the shown frame if it ran, or measured beside the times.
+void frame_error(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  const workspace::MethodSample* sample = running_sample(w);
-  const bool fits = ImGui::GetContentRegionAvail().x >
-                    ImGui::CalcTextSize("exp 4e-16 \u00b7 frame 4e-6, single precision").x;
-  std::string text = sample ? "exp " + rough_error(sample->worst_error) : "", frame;
-  if (const double fused = w.view.split.views[0].fused_error; fused > 0)
-    frame = "frame " + rough_error(fused) + (fits ? ", single precision" : ", single");
-  else if (workspace::shows_links(w))
-    frame = "frame in double precision";
-  text += (text.empty() || frame.empty() ? "" : " \u00b7 ") + frame;
-  if (text.empty()) text = " ";
-  text_in(ui.colors.faint, text);
+  const double shown = w.view.split.views[0].fused_error;
+  const double error = shown > 0 ? shown : w.frame.method_times.fused_error;
+  const std::string number = rough_error(error),
+                    long_text = "largest error " + number + " of the cage's diagonal";
+  const bool fits = ImGui::CalcTextSize(long_text.c_str()).x < ImGui::GetContentRegionAvail().x;
+  text_in(ui.colors.faint, error > 0 ? fits ? long_text : "largest error " + number : " ");
   record(ui, "errors");
-  hint(
-      "exp: largest relative error of the exponentials. frame: largest error against double precision, in "
-      "diagonals of the cage.");
+  hint("Largest distance of a sample of vertices from their positions in double precision.");
 }
 
 }  // namespace
 
 void panel_timings(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  heading(ui, "Timings of the deformation");
-  double longest = 1e-9;
-  for (const auto& times : w.frame.method_times.links) longest = std::max(longest, times.total());
-  Stage stage;
-  for (std::size_t i = 0; i < all_methods; ++i)
-    if (const Stage hit = bar(ui, i, longest)) stage = hit;
+  const bool busy = w.frame.method_times.busy;
+  heading(ui, busy ? "Timings" : "Timings of the deformation");
+  if (busy) section_note(ui, std::string(busy_words));
+  Stage stage = engine_bars(ui);
+  frame_error(ui);
   if (const Stage hit = legend(ui)) stage = hit;
   w.view.interaction.stage = stage;
   if (stage) stage_tooltip(ui, *stage);
   rest_of_frame(ui);
-  ImGui::BeginDisabled(!w.document.scheme.exponential());
-  command_toggle(ui, "toggle_same_path", w.view.options.same_path);
-  ImGui::EndDisabled();
-  errors(ui);
 }
 
 }  // namespace viete::ui

@@ -71,6 +71,8 @@ void dialog(const Context& ui) {
     key_list(ui);
   } else if (w.panels.show_messages) {
     message_log(ui);
+  } else if (w.panels.show_preferences) {
+    preferences_dialog(ui);
   }
   close_unused_dialog();
 }

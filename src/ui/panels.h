@@ -1,6 +1,7 @@
 // Draws the panels, one function each. Also sets fonts and colours, and handles input.
 #pragma once
 
+#include <set>
 #include <string_view>
 
 #include "ui/context.h"
@@ -12,9 +13,14 @@ class Pointer;
 
 namespace viete::ui {
 
-/// Adds the fonts to ImGui. `scale` is in device pixels per logical pixel. If `builtin_only` is true, or
-/// if no font file is found, adds ImGui's bitmap font. This font looks the same on all machines.
-Fonts add_fonts(float scale, bool builtin_only);
+/// Replaces the fonts of ImGui; call between frames. `scale` is in device pixels per logical pixel. If
+/// `builtin_only` is true, or if no font file is found, adds ImGui's bitmap font. This font looks the same on
+/// all machines. The fonts have Latin-1 and, where a font of the system has them, these characters.
+Fonts add_fonts(float scale, bool builtin_only, const std::set<char32_t>& characters = {});
+
+/// The characters after Latin-1 in the names and messages that panels can show, and in typed text. Call
+/// between ImGui::NewFrame() and ImGui::Render().
+std::set<char32_t> shown_characters(const workspace::Workspace& workspace);
 
 /// Sets sizes, spacing and colours; call when the theme changes.
 void apply_style(bool dark);
@@ -59,6 +65,7 @@ void panel_display(const Context& ui);
 void status_bar(const Context& ui);
 void file_panel(const Context& ui);
 void question_panel(const Context& ui);        ///< see workspace/messages.h; there must be a question
+void preferences_dialog(const Context& ui);    ///< and the list of recovered edits
 void message_log(const Context& ui);           ///< all messages
 void toasts(const Context& ui, float bottom);  ///< recent messages, above `bottom`
 // The next four functions draw a notice above the height `bottom`. They return the height of the notice's

@@ -1,4 +1,5 @@
 #include "ui/panels.h"
+#include "ui/system_fonts.h"
 
 #include <array>
 #include <filesystem>
@@ -21,14 +22,35 @@ ImVec4 rgba(unsigned hex, float alpha = 1) {
 // Font folders of distributions, and of a Flatpak runtime.
 constexpr const char* font_folders[] = {"/usr/share/fonts", "/app/share/fonts"};
 
-ImFont* add_first(std::initializer_list<const char*> files, float size) {
+// Ranges of ImGui, pairs of the first and last character, that end with 0.
+using Ranges = std::vector<ImWchar>;
+
+Ranges ranges_of(const std::set<char32_t>& characters, Ranges ranges = {}) {
+  for (const char32_t c : characters) ranges.insert(ranges.end(), 2, static_cast<ImWchar>(c));
+  ranges.push_back(0);
+  return ranges;
+}
+
+ImFont* add_first(std::initializer_list<const char*> files, float size, const Ranges& ranges) {
   for (const char* file : files)
     for (const std::filesystem::path folder : font_folders) {
       std::error_code ignored;
       if (std::filesystem::exists(folder / file, ignored))
-        return ImGui::GetIO().Fonts->AddFontFromFileTTF((folder / file).c_str(), size);
+        return ImGui::GetIO().Fonts->AddFontFromFileTTF((folder / file).c_str(), size, nullptr,
+                                                        ranges.data());
     }
   return nullptr;
+}
+
+// Adds characters that the last added font lacks to this font.
+void merge(const std::vector<SystemFont>& others, float size, const Fonts& fonts) {
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.FontNo = static_cast<int>(others[i].face);
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(others[i].file.c_str(), size, &config,
+                                             fonts.ranges[i + 1].data());
+  }
 }
 
 void set_sizes(ImGuiStyle& s) {
@@ -56,20 +78,28 @@ constexpr Tones light_tones{0xfbfbfc, 0xe9ecf0, 0xdde2e8, 0xcfd6de, 0x1f252d, 0x
 
 }  // namespace
 
-Fonts add_fonts(float scale, bool builtin_only) {
+Fonts add_fonts(float scale, bool builtin_only, const std::set<char32_t>& characters) {
   ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->Clear();
   Fonts fonts;
+  const std::vector<SystemFont> others = fonts_with(characters);
+  fonts.ranges.push_back(ranges_of(characters, {0x20, 0xff, 0x2010, 0x2027}));
+  for (const SystemFont& other : others) fonts.ranges.push_back(ranges_of(other.characters));
   io.FontGlobalScale = 1 / scale;
   if (!builtin_only) {
-    fonts.text = add_first({"opentype/inter/Inter-Regular.otf", "truetype/inter/Inter-Regular.ttf",
-                            "truetype/dejavu/DejaVuSans.ttf"},
-                           15 * scale);
-    fonts.strong = add_first({"opentype/inter/Inter-SemiBold.otf", "truetype/inter/Inter-SemiBold.ttf",
-                              "truetype/dejavu/DejaVuSans-Bold.ttf"},
-                             15 * scale);
-    fonts.numbers =
-        add_first({"truetype/jetbrains-mono/JetBrainsMono-Regular.ttf", "truetype/dejavu/DejaVuSansMono.ttf"},
-                  13.5f * scale);
+    const auto add = [&](std::initializer_list<const char*> files, float size) {
+      ImFont* font = add_first(files, size * scale, fonts.ranges.front());
+      if (font) merge(others, size * scale, fonts);
+      return font;
+    };
+    fonts.text = add({"opentype/inter/Inter-Regular.otf", "truetype/inter/Inter-Regular.ttf",
+                      "truetype/dejavu/DejaVuSans.ttf"},
+                     15);
+    fonts.strong = add({"opentype/inter/Inter-SemiBold.otf", "truetype/inter/Inter-SemiBold.ttf",
+                        "truetype/dejavu/DejaVuSans-Bold.ttf"},
+                       15);
+    fonts.numbers = add(
+        {"truetype/jetbrains-mono/JetBrainsMono-Regular.ttf", "truetype/dejavu/DejaVuSansMono.ttf"}, 13.5f);
   }
   if (!fonts.text) {
     ImFontConfig config;
@@ -77,6 +107,7 @@ Fonts add_fonts(float scale, bool builtin_only) {
     config.OversampleH = config.OversampleV = 1;
     config.PixelSnapH = true;
     fonts.text = io.Fonts->AddFontDefault(&config);
+    merge(others, config.SizePixels, fonts);
   }
   io.FontDefault = fonts.text;
   if (!fonts.strong) fonts.strong = fonts.text;

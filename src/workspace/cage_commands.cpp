@@ -146,10 +146,6 @@ void add_blend_commands(CommandTable& table) {
       {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
        [](const Workspace& w) { return w.document.scheme.stitched(); }});
   table.heading("Method");
-  table.add("toggle_same_path", "Same engine for all (staged, double)",
-            "Run the method Fast in stages and in double precision, like the other methods. When off, Fast "
-            "runs in one pass in single precision.",
-            uses_method, switches(&document::ViewOptions::same_path));
   table.add("show_report", {"Make report", "Make report"},
             "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "
             "about half a minute.",

@@ -10,6 +10,15 @@ namespace {
 
 constexpr double window_seconds = 0.5, refresh_seconds = 0.25;
 
+bool is_busy(std::span<const FrameTimes> frames) {
+  double wall = 0, waited = 0;
+  for (const FrameTimes& frame : frames) {
+    wall += frame.cost.wall;
+    waited += frame.cost.wall - frame.cost.longest;
+  }
+  return waited > 0.25 * wall && waited > 5e-4 * static_cast<double>(frames.size());
+}
+
 }  // namespace
 
 FrameTimes median_of(std::span<const FrameTimes> frames) {
@@ -23,6 +32,7 @@ FrameTimes median_of(std::span<const FrameTimes> frames) {
     result.links.ms[i] = median([i](const FrameTimes& f) { return f.links.ms[i]; });
   for (const auto part : {&FrameTimes::upload, &FrameTimes::draw, &FrameTimes::panels, &FrameTimes::frame})
     result.*part = median([part](const FrameTimes& f) { return f.*part; });
+  result.busy = is_busy(frames);
   return result;
 }
 

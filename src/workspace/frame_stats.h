@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/field.h"
+#include "base/worker_pool.h"
 #include "deform/links.h"
 #include "mesh/surface.h"
 #include "sym3/exp.h"
@@ -30,10 +31,13 @@ struct FrameTimes {
   Method method = Method::fast;
   deform::LinkTimes links;  ///< times of the stages; zero if the model was not deformed
   double upload = 0, draw = 0, panels = 0;
-  double frame = 0;  ///< total, from input to the finished picture
+  double frame = 0;               ///< total, from input to the finished picture
+  base::WorkerPool::Cost cost{};  ///< of loops and panels; seconds
+  bool busy = false;  ///< of a median: other programs took processor time, so that the times are too long
 };
 
-/// The median of each time. Other members are from the last frame. `frames` must not be empty.
+/// The median of each time. Other members are from the last frame. `frames` must not be empty. `busy` is true
+/// if a quarter of the wall time in `cost`, and half a millisecond per frame, is not processor time.
 FrameTimes median_of(std::span<const FrameTimes> frames);
 
 /// Medians of frame times. Frames that deformed the model are separate from frames that only drew the model.
@@ -68,10 +72,14 @@ struct MethodStats {
   std::size_t matrices = 0;  ///< size of the sample; 0 before the first measurement
 };
 
-/// Times of one deformation of the current pose with each method, in the order of compared_methods.
+/// Times of one deformation of the current pose with each method.
 struct MethodTimes {
-  std::array<deform::LinkTimes, compared_methods.size()> links{};  ///< all 0: not measured
-  bool measured = false;  ///< true: measured in the background; false: times of drawn frames
+  static constexpr std::size_t fused = compared_methods.size();
+  /// compared_methods in the staged or stitched engine, then `fast` in the fused engine; all 0: not measured
+  std::array<deform::LinkTimes, fused + 1> links{};
+  double fused_error = 0;  ///< of the frame in the fused engine: see Deformer::sampled_error()
+  bool measured = false;   ///< true: measured in the background; false: times of drawn frames
+  bool busy = false;       ///< see FrameTimes::busy
 };
 
 /// The last computed values of the map that colours the model.

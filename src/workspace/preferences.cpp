@@ -124,6 +124,8 @@ static void code(const files::JsonField& f, Preferences& preferences) {
   f.member("recent", preferences.recent, Preferences::most);
   f.member("folder", preferences.folder);
   f.unless({}, "coarse_motion", preferences.coarse_motion);
+  f.unless(true, "autosave", preferences.autosave);
+  f.unless({}, "scale", preferences.scale, files::Limits{0.5, 4});
   f.unless({}, "window", preferences.window);
   f.member("hints", preferences.hints);
   f.member("ask_keys", preferences.ask_keys);

@@ -71,6 +71,8 @@ struct Preferences {
   bool ask_keys = true;               ///< the keymap has not been chosen yet
   bool dark = true;                   ///< the last chosen theme
   std::optional<bool> coarse_motion;  ///< draw coarsely during motion; nullopt: automatic
+  bool autosave = true;               ///< write unsaved edits to recovery files
+  std::optional<float> scale;         ///< device pixels per logical pixel; nullopt: the display's scale
   std::optional<glm::ivec2> window;   ///< last size in logical pixels
   PanelLayout layout;
   Keymap keymap;

@@ -88,6 +88,9 @@ void add_select_commands(CommandTable& table) {
             is_posed, [](Workspace& w) { reset_pose(w.document); });
   table.add("reset_selected", "Reset selected", "Return the selection to rest.", {Key::delete_key},
             has_posed_selection, [](Workspace& w) { reset_selected(w.document, mirror_of(w)); });
+  table.add("preferences", "Preferences",
+            "Set the interface scale, keymap and autosave, and restore recovered edits.", always,
+            [](Workspace& w) { w.panels.show_preferences = true; });
   table.heading("Select");
   table.add("select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage by clicking.",
             {key('1')}, no_drag_runs, select_by<document::ElementKind::vertex>);

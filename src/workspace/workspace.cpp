@@ -83,9 +83,11 @@ deform::Scheme unused_scheme(const Workspace& w) {
 
 }  // namespace
 
-bool shows_links(const Workspace& w) {
-  return deform::engine_for(w.document.scheme, w.document.method, w.view.options.same_path) ==
-         deform::EngineKind::staged;
+std::size_t running_times(const Workspace& w) {
+  if (deform::engine_for(w.document.scheme, w.document.method) == deform::EngineKind::fused)
+    return MethodTimes::fused;
+  return static_cast<std::size_t>(std::ranges::find(compared_methods, w.document.method) -
+                                  compared_methods.begin());
 }
 
 document::SideWay shown_way(const Workspace& w, std::size_t view) {

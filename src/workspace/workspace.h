@@ -249,6 +249,7 @@ struct Panels {
   float notice_height = 0;     ///< last height of the recovery notice in logical pixels
   bool offer_cage = true;      ///< false: the user has dismissed the suggestion to get a cage
   bool show_messages = false;  ///< show the message list
+  bool show_preferences = false;
   bool ask_keys = false;       ///< show the choice of a keymap
   bool has_user = true;        ///< false while a command renders a picture without messages
 };
@@ -284,8 +285,8 @@ inline bool draws_coarsely(const Workspace& workspace) {
   return workspace.preferences.coarse_motion.value_or(workspace.about.software);
 }
 
-/// True if the first view's frames are computed in stages, in double precision.
-bool shows_links(const Workspace& workspace);
+/// The index in MethodTimes::links of the document's method and engine.
+std::size_t running_times(const Workspace& workspace);
 
 /// True if the model is coloured by its mask.
 inline bool shows_mask(const Workspace& workspace) {

@@ -68,7 +68,6 @@ Workspace worked(const test::CubeFiles& files) {
                     .ghost = true,
                     .field = analysis::Field::turn,
                     .select_visible = true,
-                    .same_path = true,
                     .panels = false,
                     .hints = false};
   w.view.handling = {Pivot::point,

@@ -76,26 +76,3 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   d.settle();
   CHECK(workspace::shown_field(d.workspace()) == analysis::Field::none);
 }
-
-TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_the_picture_is_gone") {
-  using deform::EngineKind;
-  auto options = Driver::default_options();
-  options.probe = true;
-  Driver d(options);
-  open_posed_dragon(d);
-  auto& split = d.workspace().view.split;
-  CHECK(d.until([&] { return split.views[0].fused_error > 0 && d.workspace().frame.methods.matrices > 0; }));
-  CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
-
-  d.click("toggle_same_path");
-  CHECK(d.until([&] { return d.viewer().deformer()->ran() == EngineKind::staged; }));
-  d.frame();
-  CHECK(d.document().method == sym3::Method::fast);
-  CHECK(split.views[0].fused_error == 0);
-  CHECK(d.viewer().deformer()->times()[deform::Link::blend] > 0);
-
-  d.click("toggle_same_path");
-  d.settle();
-  CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
-  CHECK(d.until([&] { return split.views[0].fused_error > 0; }));
-}

@@ -59,10 +59,10 @@ struct Dialogs : test::SmallScene {
   }
 };
 
-constexpr const char* dialogs[] = {"open_model",      "open_cage", "open_pose",       "import_shapes",
-                                   "save_session_as", "save_pose", "save_model",      "save_cage",
-                                   "save_animation",  "question",  "command_palette", "help",
-                                   "show_messages"};
+constexpr const char* dialogs[] = {"open_model",      "open_cage",  "open_pose",       "import_shapes",
+                                   "save_session_as", "save_pose",  "save_model",      "save_cage",
+                                   "save_animation",  "question",   "command_palette", "help",
+                                   "show_messages",   "preferences"};
 
 }  // namespace
 
@@ -131,4 +131,26 @@ TEST_CASE("typing_in_a_file_list_filters_the_list") {
     CHECK(browser.folder == std::filesystem::weakly_canonical(scene.folder.path()));
     scene.close();
   }
+}
+
+TEST_CASE("preferences_change_scale_motion_autosave_and_list_recovered_edits") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  workspace::Workspace& w = d.workspace();
+  w.recovery.files = {{folder / "a.viete", "first.obj", 1000, folder.path()},
+                      {folder / "b.viete", "second.obj", 500, folder.path()}};
+  d.run("preferences");
+  d.frame(3);
+  d.choose("preferences/scale", "preferences/scale/3");
+  CHECK(w.preferences.scale == 1.5f);
+  d.choose("preferences/scale", "preferences/scale/0");
+  CHECK_FALSE(w.preferences.scale);
+  d.choose("preferences/motion", "preferences/motion/2");
+  CHECK(w.preferences.coarse_motion == false);
+  d.click("preferences/autosave");
+  CHECK_FALSE(w.preferences.autosave);
+  d.click("preferences/restore/1");
+  CHECK_FALSE(w.panels.show_preferences);
+  d.frame(2);
+  CHECK(w.messages.all().back().text.find("b.viete") != std::string::npos);  // this file is missing
 }

@@ -4,6 +4,8 @@
 #include "files/open.h"
 #include "program/open_cage.h"
 #include "support/folder.h"
+#include "support/pictures.h"
+#include "ui/system_fonts.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -176,5 +178,31 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     d.click("put_off_leftovers");
     d.frame(3);
     CHECK(w.view.viewport.origin.y == workspace::PanelLayout::menu_height);
+  }
+}
+
+TEST_CASE("names_in_other_scripts_are_drawn_if_a_font_of_the_system_has_them") {
+  struct Names {
+    const char *one, *other;
+    std::set<char32_t> characters;
+  };
+  const Names all[] = {{"\u0416", "\u0424", {0x416, 0x424}},     // Cyrillic
+                       {"\u0639", "\u0641", {0x639, 0x641}},     // Arabic
+                       {"\u4e2d", "\u56fd", {0x4e2d, 0x56fd}},   // Chinese, Japanese
+                       {"\ud55c", "\uae00", {0xd55c, 0xae00}}};  // Korean
+  Driver d(test::with_pixels);
+  d.open_dragon();
+  d.run("keep_pose");
+  const auto shown = [&](const char* name) {
+    document::rename_pose(d.document(), 0, name);
+    d.settle();
+    d.frame(3);
+    return d.picture();
+  };
+  for (const Names& names : all) {
+    const auto fonts = ui::fonts_with(names.characters);
+    if (fonts.empty() || fonts[0].characters != names.characters) continue;
+    CAPTURE(names.one);
+    CHECK(test::difference(shown(names.one), shown(names.other), 12) > 0);  // "?" would be the same
   }
 }

@@ -315,7 +315,8 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
     const auto& recorder = d.viewer().recorder();
     std::vector<std::string> always{"method_diag", "method_sd", "method_improved_sd", "method_fast"};
     if (scale == 1)
-      always.insert(always.end(), {"timings/Diag", "timings/Fast", "errors", "way", "rotation"});
+      always.insert(always.end(),
+                    {"timings/Diag", "timings/Fast", "timings/fused", "errors", "way", "rotation"});
     for (const std::string& widget : always) {
       CAPTURE(widget);
       REQUIRE(recorder.find(widget));
@@ -337,9 +338,15 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   d.open_dragon("pose_alert", test::bundled_dragon);
   const auto& times = d.workspace().frame.method_times;
   REQUIRE(d.until([&] { return times.measured; }));
-  for (const auto& links : times.links) CHECK(links.total() > 0);
-  for (const std::size_t staged : {0, 1, 2}) CHECK(times.links[staged][deform::Link::exp] > 0);
-  CHECK(times.links[3][deform::Link::fused] > 0);
+  constexpr std::size_t fused = workspace::MethodTimes::fused;
+  for (std::size_t method = 0; method < fused; ++method) {
+    CHECK(times.links[method][deform::Link::exp] > 0);
+    CHECK(times.links[method][deform::Link::fused] == 0);
+  }
+  CHECK(times.links[fused][deform::Link::fused] > 0);
+  CHECK(times.fused_error > 0);
+  CHECK(times.fused_error < 1e-4);
+  CHECK(d.viewer().recorder().find("timings/fused"));
   // If the method changes, no new binding is needed.
   d.click("method_diag");
   REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == deform::EngineKind::staged; }));
@@ -403,8 +410,8 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
     Driver d(Driver::default_options(size));
     d.open_dragon();
     workspace::Workspace& w = d.workspace();
-    std::string text = "A warning that is so long that two lines do not hold it:";
-    for (int i = 0; i < 60; ++i) text += " w\u00f6rter " + std::to_string(i);
+    std::string text = "A warning that is so long that six lines do not hold it:";
+    for (int i = 0; i < 160; ++i) text += " w\u00f6rter " + std::to_string(i);
     w.messages.warn(text);
     d.frame(5);
     const auto tool = d.viewer().recorder().find("strip/tool_move");
@@ -413,6 +420,6 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
     REQUIRE(rect);
     CHECK(rect->x0 >= tool->x1);
     CHECK(rect->x1 <= w.view.viewport.origin.x + w.view.viewport.size.x);
-    CHECK(rect->y1 - rect->y0 < 60);  // at most two lines
+    CHECK(rect->y1 - rect->y0 < 140);  // at most six lines
   }
 }

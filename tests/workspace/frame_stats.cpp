@@ -66,3 +66,19 @@ TEST_CASE("camera_motion_keeps_the_last_deformation_timings") {
   stats.add(frame(3, 6));
   CHECK(stats.median()->links[Link::blend] == 6);
 }
+
+TEST_CASE("medians_say_that_the_computer_is_busy_if_threads_wait_for_the_processor") {
+  const auto of = [](double wall, double processor) {
+    FrameTimes t = frame(1, 4);
+    t.cost = {.longest = processor, .wall = wall};
+    return t;
+  };
+  const auto busy = [](const std::vector<FrameTimes>& frames) {
+    return viete::workspace::median_of(frames).busy;
+  };
+  CHECK_FALSE(busy({of(0.040, 0.039), of(0.041, 0.039)}));
+  CHECK(busy({of(0.040, 0.039), of(0.091, 0.039)}));
+  CHECK(busy({of(0.080, 0.039), of(0.070, 0.039)}));
+  CHECK_FALSE(busy({of(0.0003, 0.0001), of(0.0003, 0.0001)}));  // threads need some time to wake up
+  CHECK_FALSE(busy({frame(1, 4)}));
+}
