@@ -25,7 +25,7 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--model", inputs.located.model, "Model that replaces the model of the session");
   add_file_option(app, "--cage", inputs.located.cage, "Cage that replaces the cage of the session");
   if (inputs.use == Use::animation) return;
-  add_file_option(app, "--pose", inputs.pose, "Posed cage, with the same vertices in the same order");
+  add_file_option(app, "--pose", inputs.pose, "Posed cage, with the vertices and faces of the cage");
 }
 
 void add_scheme_options(CLI::App& app, document::RequestedSettings& settings) {

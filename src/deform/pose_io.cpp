@@ -1,7 +1,9 @@
 #include "deform/pose_io.h"
 
+#include <algorithm>
 #include <charconv>
 #include <locale>
+#include <numeric>
 #include <sstream>
 #include <string_view>
 
@@ -11,7 +13,9 @@
 #include "formats/read.h"
 #include "formats/source.h"
 #include "formats/write.h"
+#include "mesh/half_edges.h"
 #include "mesh/triangle.h"
+#include "mesh/vertex_order.h"
 
 namespace viete::deform {
 
@@ -72,15 +76,27 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
                      "); a minimum stretch is used for them");
 }
 
-// Throws base::Error if an STL file has other faces than the cage. The vertex order would then differ,
-// because the STL reader numbers vertices by their first use in faces.
-void refuse_permuted(const formats::ReadResult& read, const Cage& cage, const std::string& file) {
-  const formats::Format* format = formats::format_of_description(read.format);
-  if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;
-  throw base::Error(file,
-                    std::string(format->name) +
-                        " files do not preserve the vertex order, so they cannot be matched to the cage",
-                    "export the pose as " + formats::format_names(formats::keeps_order));
+// Returns the vertices of the file in the order of the cage. Vertices that are matched by the faces, and
+// faces that divide the cage's polygons otherwise, cause a warning.
+std::vector<std::uint32_t> order_of(const formats::ReadResult& read, const Cage& cage,
+                                    const std::string& file, std::vector<std::string>& warnings) {
+  const formats::Format& format = *formats::format_of_description(read.format);
+  if (auto order = mesh::vertex_order(read.surface, cage.surface, format.keeps_order)) {
+    if (!std::ranges::is_sorted(*order))
+      warnings.push_back(file + ": the vertex order differs; vertices were matched by the faces");
+    return *std::move(order);
+  }
+  const auto found = mesh::polygon_edges(read.surface), wanted = mesh::polygon_edges(cage.surface);
+  if (!format.keeps_order || !(std::ranges::includes(found, wanted) || std::ranges::includes(wanted, found)))
+    throw base::Error(file, mesh::first_difference(read.surface, cage.surface, "the cage"),
+                      "export the pose with the faces of the cage, or without faces, as " +
+                          formats::format_names(formats::keeps_order));
+  warnings.push_back(file +
+                     ": the faces of this pose differ from the faces of the cage; only the vertex "
+                     "positions are used");
+  std::vector<std::uint32_t> same(read.surface.positions.size());
+  std::iota(same.begin(), same.end(), 0U);
+  return same;
 }
 
 std::string turn_line(std::size_t part, const Vec3& v) {
@@ -98,14 +114,10 @@ std::string turn_line(std::size_t part, const Vec3& v) {
 Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<std::string>& warnings) {
   formats::ReadResult read = formats::read(path);
   const std::string file = path.string();
-  refuse_permuted(read, cage, file);
   check_pose(cage, read.surface.positions.size(), file);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
-  if (!mesh::same_faces(read.surface, cage.surface)) {
-    warnings.push_back(file +
-                       ": the faces of this pose differ from the faces of the cage; only the vertex "
-                       "positions are used");
-  }
+  read.surface.positions =
+      mesh::picked<mesh::Point>(read.surface.positions, order_of(read, cage, file, warnings));
   warn_of_collapsed(read.surface, cage, file, warnings);
   std::vector<Vec3> turns = read_turns(read.comments, cage, file, warnings);
   return {std::move(read.surface.positions), std::move(turns)};

@@ -16,6 +16,7 @@
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
 #include "mesh/repair.h"
+#include "mesh/vertex_order.h"
 #include "mesh/winding_number.h"
 
 namespace viete::files {
@@ -333,9 +334,12 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   return opened;
 }
 
+bool matches(const mesh::Surface& found, const mesh::Surface& wanted) {
+  return mesh::vertex_order(found, wanted, true).has_value();
+}
+
 bool is_shape_of(const document::Document& current, const mesh::Surface& s) {
-  return current.model.surface && s.positions.size() == current.model.surface->positions.size() &&
-         mesh::same_faces(s, *current.model.surface);
+  return current.model.surface && matches(s, *current.model.surface);
 }
 
 bool same_file(const fs::path& a, const fs::path& b) {
@@ -346,8 +350,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
 Opened open_dropped_surface(document::OpenedSurface surface, const document::Document& current) {
   const mesh::Surface& s = *surface.surface;
   const std::string name = name_of(surface);
-  if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
-      mesh::same_faces(s, current.cage->surface)) {
+  if (current.has_cage() && matches(s, current.cage->surface)) {
     Opened opened = open_pose(surface.path, current);
     opened.taken_as = "Imported " + name + " as a pose: it has the cage's vertices and faces";
     return opened;

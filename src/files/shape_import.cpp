@@ -11,6 +11,7 @@
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "mesh/point_tree.h"
+#include "mesh/vertex_order.h"
 
 namespace viete::files {
 
@@ -163,96 +164,6 @@ void check_shape_count(const std::string& file, std::size_t count, const mesh::S
 
 namespace {
 
-constexpr const char* advice = "choose a shape of the same model (same vertices and faces)";
-
-// Polygons or, if file and model have different numbers of polygons, triangles.
-struct Faces {
-  std::vector<std::uint32_t> corners, starts;
-};
-
-Faces triangles_of(const mesh::Surface& s) {
-  Faces faces{{}, {0}};
-  for (const auto& t : s.triangles) {
-    faces.corners.insert(faces.corners.end(), t.begin(), t.end());
-    faces.starts.push_back(static_cast<std::uint32_t>(faces.corners.size()));
-  }
-  return faces;
-}
-
-std::string face_text(const Faces& faces, std::size_t face) {
-  std::string text;
-  for (auto c = faces.starts[face]; c < faces.starts[face + 1]; ++c)
-    text += (text.empty() ? "" : " ") + std::to_string(faces.corners[c]);
-  return text;
-}
-
-// For each vertex of the model, finds the vertex of the file. File and model have faces in the same order.
-class VertexOrder {
-public:
-  VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
-      : file_(file), order_(model.positions.size(), mesh::none), taken_(found.positions.size(), mesh::none) {
-    const bool alike = found.polygon_count() == model.polygon_count();
-    found_ = alike ? Faces{found.corners, found.polygon_starts} : triangles_of(found);
-    model_ = alike ? Faces{model.corners, model.polygon_starts} : triangles_of(model);
-  }
-
-  std::vector<std::uint32_t> find() {
-    check_count(taken_.size(), order_.size(), "vertices");
-    check_count(found_.starts.size() - 1, model_.starts.size() - 1, "faces");
-    for (std::size_t f = 0; f + 1 < model_.starts.size(); ++f) match(f);
-    match_loose();
-    return std::move(order_);
-  }
-
-private:
-  void check_count(std::size_t found, std::size_t expected, const char* of) const {
-    if (found == expected) return;
-    throw base::Error(file_,
-                      "the file has " + base::with_thousands(found) + " " + of + ", the model has " +
-                          base::with_thousands(expected),
-                      advice);
-  }
-
-  void match(std::size_t face) {
-    const auto first = model_.starts[face], count = model_.starts[face + 1] - first;
-    bool fits = first == found_.starts[face] && count == found_.starts[face + 1] - first;
-    for (std::uint32_t c = first; fits && c < first + count; ++c)
-      fits = pair(model_.corners[c], found_.corners[c]);
-    if (!fits) refuse(face);
-  }
-
-  // Throws base::Error for `face` or, if `face` is equal in the file, for the first face that differs.
-  [[noreturn]] void refuse(std::size_t face) const {
-    const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
-    if (same(face)) face = 0;
-    while (same(face)) ++face;
-    throw base::Error(file_,
-                      "face " + std::to_string(face) + " (counted from 0) has the vertices " +
-                          face_text(found_, face) + ", in the model " + face_text(model_, face),
-                      advice);
-  }
-
-  bool pair(std::uint32_t of_model, std::uint32_t of_file) {
-    if (order_[of_model] == mesh::none && taken_[of_file] == mesh::none)
-      order_[of_model] = of_file, taken_[of_file] = of_model;
-    return order_[of_model] == of_file;
-  }
-
-  // Vertices that belong to no face are matched in the order of the file.
-  void match_loose() {
-    std::uint32_t next = 0;
-    for (auto& v : order_) {
-      if (v != mesh::none) continue;
-      while (taken_[next] != mesh::none) ++next;
-      v = next++;
-    }
-  }
-
-  const std::string& file_;
-  Faces found_, model_;
-  std::vector<std::uint32_t> order_, taken_;
-};
-
 class ShapeReader {
 public:
   ShapeReader(const mesh::Surface& model, base::Progress* progress) : model_(model), progress_(progress) {}
@@ -325,24 +236,20 @@ private:
   }
 
   void add_model(const fs::path& file) {
-    formats::ReadResult read = formats::read(file);
+    const formats::ReadResult read = formats::read(file);
     all_.warnings.insert(all_.warnings.end(), read.warnings.begin(), read.warnings.end());
-    std::vector<mesh::Point>& positions = read.surface.positions;
-    if (positions.size() != model_.positions.size() || !mesh::same_faces(read.surface, model_))
-      positions = in_order(file, read.surface);
-    put(file.string(), file.stem().string(), std::move(positions));
+    put(file.string(), file.stem().string(), in_order(file.string(), read));
   }
 
-  std::vector<mesh::Point> in_order(const fs::path& file, const mesh::Surface& found) {
-    const std::string name = file.string();
-    std::vector<mesh::Point> positions;
-    bool moved = false;
-    for (const std::uint32_t v : VertexOrder(name, found, model_).find()) {
-      moved |= v != positions.size();
-      positions.push_back(found.positions[v]);
-    }
-    if (moved)
-      all_.warnings.push_back(name + ": the vertex order differs; vertices were matched by the faces");
+  std::vector<mesh::Point> in_order(const std::string& file, const formats::ReadResult& read) {
+    const bool keeps_order = formats::format_of_description(read.format)->keeps_order;
+    const auto order = mesh::vertex_order(read.surface, model_, keeps_order);
+    if (!order)
+      throw base::Error(file, mesh::first_difference(read.surface, model_, "the model"),
+                        "choose a shape of the same model (same vertices and faces)");
+    std::vector<mesh::Point> positions = mesh::picked<mesh::Point>(read.surface.positions, *order);
+    if (!std::ranges::is_sorted(*order))
+      all_.warnings.push_back(file + ": the vertex order differs; vertices were matched by the faces");
     return positions;
   }
 

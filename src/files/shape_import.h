@@ -28,9 +28,8 @@ struct ImportedShapes {
 /// gives a shape for each frame. A glTF file with morph targets gives a shape for each target.
 ///
 /// Some formats do not keep the vertex order. If the vertex order differs, adds a warning and matches the
-/// vertices by the corners of the faces. The order of the faces must be the same. Throws base::Error if a
-/// file does not match the model, a sequence or folder gives no shape, or there are too many shapes.
-/// Thread-safe.
+/// vertices by the corners of the faces, see mesh::vertex_order(). Throws base::Error if a file does not
+/// match the model, a sequence or folder gives no shape, or there are too many shapes. Thread-safe.
 ImportedShapes read_shapes(std::span<const std::filesystem::path> files, const mesh::Surface& model,
                            base::Progress* progress = nullptr);
 

@@ -38,25 +38,41 @@ TEST_CASE("a_pose_is_read_back_with_every_bit_and_its_turns") {
   }
 }
 
-TEST_CASE("a_pose_in_stl_is_refused_unless_its_faces_are_the_cages") {
+TEST_CASE("a_pose_in_stl_is_matched_by_its_faces_and_not_written") {
   const TemporaryFolder folder;
   const Cage cage = make_cage(box());  // its faces do not use the vertices in order
   auto posed = box();
   for (auto& p : posed.positions) p[1] *= 2;
   viete::formats::write(folder / "pose.stl", posed);
-  for (const char* text :
-       {"pose.stl: STL files do not preserve the vertex order", "export the pose as OBJ, PLY or OFF"})
-    CHECK_THROWS_WITH_AS(read(folder / "pose.stl", cage), doctest::Contains(text), viete::base::Error);
+  std::vector<std::string> warnings;
+  CHECK(read(folder / "pose.stl", cage, warnings).positions == posed.positions);
+  REQUIRE(warnings.size() == 1);
+  CHECK(mentions(warnings[0], "pose.stl: the vertex order differs"));
+  std::swap(posed.triangles[0], posed.triangles[1]);
+  viete::formats::write(folder / "other.stl", viete::mesh::from_triangles(posed.positions, posed.triangles));
+  CHECK_THROWS_WITH_AS(read(folder / "other.stl", cage), doctest::Contains("as OBJ, PLY or OFF"),
+                       viete::base::Error);
   CHECK_THROWS_AS(write_pose(folder / "own.stl", cage, rest_pose(cage)), viete::base::Error);
   CHECK_FALSE(fs::exists(folder / "own.stl"));
+}
 
-  viete::formats::write(folder / "cage.stl", box());
-  const Cage of_stl = make_cage(viete::formats::read(folder / "cage.stl").surface);
-  const Pose pose = read(folder / "pose.stl", of_stl);
-  for (std::size_t v = 0; v < pose.positions.size(); ++v) {
-    const auto& rest = of_stl.surface.positions[v];
-    CHECK(pose.positions[v] == Vec3{rest[0], 2 * rest[1], rest[2]});
-  }
+TEST_CASE("a_renumbered_pose_is_matched_by_its_faces_or_refused") {
+  const TemporaryFolder folder;
+  const Cage cage = make_cage(box());
+  const std::vector<std::uint32_t> number{3, 6, 0, 5, 1, 7, 2, 4};
+  std::vector<Vec3> positions(8);
+  for (std::size_t v = 0; v < 8; ++v) positions[number[v]] = 2.0 * box().positions[v];
+  auto triangles = box().triangles;
+  for (auto& t : triangles) t = {number[t[0]], number[t[1]], number[t[2]]};
+  viete::formats::write(folder / "pose.obj", viete::mesh::from_triangles(positions, triangles));
+  const Pose pose = read(folder / "pose.obj", cage);
+  for (std::size_t v = 0; v < 8; ++v) CHECK(pose.positions[v] == 2.0 * box().positions[v]);
+  std::ranges::reverse(triangles);
+  viete::formats::write(folder / "pose.obj", viete::mesh::from_triangles(positions, triangles));
+  CHECK_THROWS_WITH_AS(read(folder / "pose.obj", cage), doctest::Contains("has the vertices"),
+                       viete::base::Error);
+  put_file(folder / "points.obj", "v 1 1 1\nv 2 1 1\nv 3 1 1\nv 4 1 1\nv 5 1 1\nv 6 1 1\nv 7 1 1\nv 8 1 1\n");
+  CHECK(read(folder / "points.obj", cage).positions[4] == Vec3{5, 1, 1});
 }
 
 TEST_CASE("turns_are_in_a_comment_line_at_the_head_unless_they_are_0") {
@@ -87,6 +103,10 @@ TEST_CASE("other_faces_collapsed_elements_and_odd_turns_warn") {
 
   auto t = box().triangles;
   std::swap(t[0], t[1]);
+  viete::formats::write(folder / "faces.obj", viete::mesh::from_triangles(box().positions, t));
+  read(folder / "faces.obj", cage, warnings);
+  CHECK(warnings.empty());
+  t.pop_back();
   viete::formats::write(folder / "faces.obj", viete::mesh::from_triangles(box().positions, t));
   read(folder / "faces.obj", cage, warnings);
   REQUIRE(warnings.size() == 1);

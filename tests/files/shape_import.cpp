@@ -99,6 +99,21 @@ TEST_CASE("faces_tell_vertices_that_stand_in_another_order") {
   CHECK(mentions(read.warnings[0], "a.obj: the vertex order differs"));
 }
 
+TEST_CASE("shapes_without_faces_or_with_faces_in_another_order_are_read") {
+  const ShapeFiles f;
+  mesh::Surface surface = f.model;
+  surface.positions = f.moved(70);
+  std::ranges::reverse(surface.triangles);
+  for (auto& t : surface.triangles) std::ranges::rotate(t, t.begin() + 1);
+  f.write("order.obj", mesh::from_triangles(surface.positions, surface.triangles));
+  f.write("points.obj", mesh::from_triangles(surface.positions, {}));
+  for (const char* name : {"order.obj", "points.obj"}) {
+    const ImportedShapes read = f.read(name);
+    CHECK(*read.shapes.at(0).shape == surface.positions);
+    CHECK(read.warnings.empty());
+  }
+}
+
 TEST_CASE("polygons_are_told_by_the_triangles_that_they_are_cut_into") {
   ShapeFiles f;
   const std::string quads = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0.5\nf 1 2 3 4\nf 2 5 6 3\n";
