@@ -133,7 +133,6 @@ int write_pictures(const AnimateOptions& options) {
   base::check_replaceable(base::NumberedName(options.output.file).file(1));
   PictureOptions picture = options.picture;
   picture.viewer.probe = picture.panels;
-  picture.panels_of_session = false;
   const PictureRun run = picture_run(options, opened.document->timeline);
   auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.file.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));

@@ -131,7 +131,7 @@ void Autosave::take_result(workspace::Workspace& workspace, double wait_seconds)
     workspace.messages.succeeded("keep edits");
     if (workspace.recovery.from == replaced_) workspace.recovery.from.clear();
   } catch (const std::exception& error) {
-    problem_ = error.what();
+    problem_ = base::message_of(error);
     workspace.messages.error(problem_, {"keep edits"});
   }
 }

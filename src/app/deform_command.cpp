@@ -18,6 +18,7 @@
 #include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/options.h"
+#include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
@@ -152,14 +153,21 @@ int stream(const DeformOptions& options) {
   return exit_ok;
 }
 
-int deform_file(const DeformOptions& options) {
+int write_file(const DeformOptions& options) {
   const files::Opened opened =
       open(options.inputs, files::check_deformable, options.output, {options.mask, document::the_mask});
   print_notes(opened.warnings);
   files::Export what = export_to(options.output, opened);
   take_mask(options, what);
-  print_notes(files::write_deformed(what));
+  std::optional<TerminalProgress> work(options.output.task());
+  const std::vector<std::string> notes = files::write_deformed(what, &work->progress());
+  work.reset();  // removes the progress line
+  print_notes(notes);
   return exit_ok;
+}
+
+int deform_file(const DeformOptions& options) {
+  return run_cancellable(options.output, [&] { return write_file(options); });
 }
 
 }  // namespace

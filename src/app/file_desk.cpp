@@ -270,7 +270,7 @@ void FileDesk::take_written(workspace::Workspace& w) {
       write.get();
       w.messages.succeeded("remember");
     } catch (const std::exception& error) {
-      w.messages.error(error.what(), {"remember"});
+      w.messages.error(base::message_of(error), {"remember"});
     }
     return true;
   });

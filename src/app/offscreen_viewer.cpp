@@ -50,7 +50,7 @@ const std::map<std::string, document::StandardView> looks = {
 document::ViewOptions view_of(const PictureOptions& options, const std::optional<files::Session>& session) {
   document::ViewOptions view =
       session ? session->view : document::ViewOptions{.panels = false, .hints = false};
-  view.panels = options.panels || (options.panels_of_session && view.panels);
+  view.panels = options.panels;  // they show times, which differ from run to run
   view.hints = false;
   view.dark &= !options.light;
   view.cage = options.cage;
@@ -125,9 +125,16 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files:
     throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
   workspace::Workspace& w = offscreen->viewer().workspace();
+  w.panels.has_user = false;
   workspace::apply_opened(w, std::move(opened));
+  if (options.frame) {
+    if (w.document.timeline.empty())
+      throw base::Error("--frame", "the timeline has no keys, so all frames are equal",
+                        "omit --frame, or set keys on the timeline and save the session");
+    workspace::go_to_frame(w, *options.frame);
+  }
   w.view.options = view_of(options, session);
-  w.panels.has_user = w.view.tools = false;
+  w.view.tools = false;
   split(w, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;

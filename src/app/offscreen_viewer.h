@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,7 @@ struct PictureOptions {
   std::string look, shading, map;    ///< empty if the option is missing
   std::vector<std::string> compare;  ///< one deformer, method or interpolation per view
   std::filesystem::path camera;      ///< the session whose camera is used; may be empty
-  bool panels_of_session = true;     ///< true: shows panels if the session shows panels
+  std::optional<int> frame;          ///< a frame of the timeline; by default, the session's frame
   glm::ivec2 size{0, 0};             ///< 0: the size of the session's window
 };
 

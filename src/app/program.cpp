@@ -1,13 +1,16 @@
 #include "app/command_line.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <new>
+#include <iostream>
 
 #include "app/assets.h"
 #include "app/options.h"
+#include "base/error.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {
@@ -27,6 +30,16 @@ void note_kernel() {
     std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is not available on this machine; using %s\n", kernel,
                  std::string(sym3::kernel_name()).c_str());
   }
+}
+
+// Returns the exit code after the output has been written. A reader that has closed the pipe wants no
+// message.
+int finished(int code) {
+  std::cout.flush();
+  if (std::cout && std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  if (errno == EPIPE) return exit_failed;
+  std::fprintf(stderr, "viete: standard output could not be written; check the disk space\n");
+  return exit_failed;
 }
 
 int run(const Program& program, std::vector<std::string> arguments) {
@@ -51,29 +64,23 @@ int run(const Program& program, std::vector<std::string> arguments) {
     std::reverse(words.begin(), words.end());  // CLI11 expects the last argument first
     app.parse(words);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    return finished(app.exit(help));
   } catch (const CLI::ParseError& error) {
     std::fputs(usage_error(app, error).c_str(), stderr);
     return exit_usage;
   }
-  const int code = action();
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-    std::fprintf(stderr, "viete: standard output could not be written; check the disk space\n");
-    return exit_failed;
-  }
-  return code;
+  return finished(action());
 }
 
 }  // namespace
 
 int run_program(int argc, char** argv, const Program& program) {
+  // Failed writes are then errors, after which unfinished files are removed.
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
   try {
     return run(program, {argv + 1, argv + argc});
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "viete: not enough memory; close other programs or use a smaller model\n");
-    return exit_failed;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "viete: %s\n", error.what());
+    std::fprintf(stderr, "viete: %s\n", base::message_of(error).c_str());
     return exit_failed;
   }
 }

@@ -39,6 +39,10 @@ void add_render_command(CLI::App& app, Action& action) {
   add_input_options(*command, o->inputs);
   add_output_options(*command, o->output, "PNG file to write");
   add_picture_options(*command, o->picture);
+  using document::Timeline;
+  auto* frame = command->add_option_function<int>(
+      "--frame", [o](int frame) { o->picture.frame = frame; }, "Frame of the timeline");
+  whole_in_range(frame, Timeline::least_frame, Timeline::largest_frame)->default_str("the session's frame");
   command->add_flag("--transparent", o->picture.viewer.transparent, "Make the background transparent");
   add_examples(*command, {"render model.obj cage.obj --pose pose.obj -o picture.png",
                           "render scene.viete --look front --map area -o picture.png"});

@@ -28,6 +28,9 @@ TerminalProgress::TerminalProgress(std::string what)
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
+  struct sigaction hang_up {};
+  if (sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler != SIG_IGN)  // nohup ignores it
+    sigaddset(&signals_, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals_, &before_);
   watcher_ = base::try_thread([this](const std::stop_token& stop) { watch(stop); });
   if (!watcher_.joinable()) pthread_sigmask(SIG_SETMASK, &before_, nullptr);

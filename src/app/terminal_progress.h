@@ -10,10 +10,10 @@
 namespace viete::app {
 
 /// If stderr is a terminal, one line shows task, progress and remaining time. Otherwise, if $VIETE_PROGRESS
-/// is set, prints a line such as "37 %" for every percent. While this object exists, Ctrl+C and SIGTERM
-/// cancel the work: the next progress report throws base::Cancelled. A second signal more than two seconds
-/// later ends the program at once. Create this object before other threads, because threads inherit its
-/// blocked signals. If no thread can be created, shows nothing, and a signal ends the program at once.
+/// is set, prints a line such as "37 %" for every percent. While this object exists, Ctrl+C, SIGTERM and
+/// SIGHUP cancel the work: the next progress report throws base::Cancelled. A second signal more than two
+/// seconds later ends the program at once. Create this object before other threads, because threads inherit
+/// its blocked signals. If no thread can be created, shows nothing, and a signal ends the program at once.
 class TerminalProgress {
 public:
   explicit TerminalProgress(std::string what);

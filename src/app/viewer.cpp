@@ -216,7 +216,7 @@ void Viewer::show_manual(const std::string& chapter) {
     open_in_browser(manual_page(chapter));
     workspace_.messages.succeeded("manual");
   } catch (const base::Error& error) {
-    workspace_.messages.error(error.what(), {"manual"});
+    workspace_.messages.error(base::message_of(error), {"manual"});
   }
 }
 
@@ -268,7 +268,7 @@ void Viewer::commit_cage_edit() {
     workspace_.messages.succeeded("change the cage");
     settle(3);
   } catch (const std::exception& error) {
-    workspace_.messages.error(error.what(), {"change the cage", workspace::Scope::cage});
+    workspace_.messages.error(base::message_of(error), {"change the cage", workspace::Scope::cage});
   }
 }
 
@@ -471,7 +471,7 @@ void Viewer::save_screenshot() {
     workspace_.messages.succeeded("screenshot");
     workspace_.messages.info("Saved " + path.string());
   } catch (const std::exception& error) {
-    workspace_.messages.error(error.what(), {"screenshot"});
+    workspace_.messages.error(base::message_of(error), {"screenshot"});
   }
   settle(2);
 }

@@ -21,9 +21,11 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const fs::path& path, int code) {
-  const bool full = code == ENOSPC || code == EDQUOT;
+  const bool full = code == ENOSPC || code == EDQUOT, limited = code == EFBIG;
   throw Error(path.string(), std::string("cannot be written: ") + std::strerror(code),
-              full ? "free some disk space" : "choose a folder that exists and can be written");
+              full      ? "free some disk space"
+              : limited ? "raise the limit of the file size (ulimit -f), or choose another disk"
+                        : "choose a folder that exists and can be written");
 }
 
 // Follows all symbolic links. If a link is broken or the file is missing, returns `path`.
@@ -35,9 +37,15 @@ fs::path target_of(const fs::path& path) {
 
 constexpr std::string_view part_extension = ".part";
 
+// Returns the beginning of the names of part files. A long name is cut, because names have at most 255 bytes.
+std::string part_begin(const std::string& name) {
+  constexpr std::size_t most = 191;
+  return name.substr(0, most) + ".";
+}
+
 fs::path part_of(const fs::path& target, int number) {
-  return target.string() + "." + base::process_name() + "-" + std::to_string(number) +
-         std::string(part_extension);
+  return target.parent_path() / (part_begin(target.filename().string()) + base::process_name() + "-" +
+                                 std::to_string(number) + std::string(part_extension));
 }
 
 // Returns PROCESS from `NAME.PROCESS-NUMBER.part`. For any other file name, returns an empty text.
@@ -111,7 +119,7 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
        at.increment(code)) {
     const std::string name = at->path().filename().string();
     const std::string_view process = process_of_part(name);
-    const bool wanted = target.empty() || name.starts_with(target + "." + std::string(process));
+    const bool wanted = target.empty() || name.starts_with(part_begin(target) + std::string(process));
     if (!process.empty() && wanted && !process_runs(process)) stale.push_back(at->path());
   }
   std::ranges::for_each(stale, remove_if_left);

@@ -20,8 +20,8 @@ enum class Durability { process, power_cut };
 /// for a folder, a device, an unwritable folder, a full disk or a write-protected file (also for root). If
 /// the file has several names (hard links), only `path` gets the new content. Thread-safe.
 ///
-/// The new file is `NAME.PROCESS-NUMBER.part`, where PROCESS is process_name(). Also removes `.part` files of
-/// this name that killed programs left.
+/// The new file is `NAME.PROCESS-NUMBER.part`, where PROCESS is process_name(); a long NAME is cut. Also
+/// removes `.part` files of this name that killed programs left.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
                   Durability durability = Durability::power_cut);
 

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "base/error.h"
 #include "base/progress.h"
 
 namespace viete::base {
@@ -89,7 +90,7 @@ class BackgroundJob {
 public:
   struct Result {
     std::optional<Value> value{};  ///< empty if the job failed or was stopped
-    std::string problem{};         ///< what() of the job's exception; empty if the job did not fail
+    std::string problem{};         ///< message_of() the job's exception; empty if the job did not fail
     bool stopped = false;
   };
 
@@ -131,7 +132,7 @@ public:
     } catch (const Cancelled&) {
       return Result{.stopped = true};
     } catch (const std::exception& error) {
-      return Result{.problem = error.what()};
+      return Result{.problem = message_of(error)};
     }
   }
 

@@ -1,5 +1,6 @@
 #include "base/error.h"
 
+#include <new>
 #include <utility>
 
 #include "base/text.h"
@@ -21,5 +22,11 @@ Error::Error(std::string place, std::string problem, std::string advice)
       place_(std::move(place)),
       problem_(printable(problem)),
       advice_(printable(advice)) {}
+
+std::string message_of(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+    return "not enough memory; close other programs or use a smaller model";
+  return error.what();
+}
 
 }  // namespace viete::base

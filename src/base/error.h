@@ -1,6 +1,7 @@
 // An exception with place, problem and advice.
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -20,5 +21,8 @@ public:
 private:
   std::string place_, problem_, advice_;
 };
+
+/// Returns the message of an exception for the user. For a failed allocation, what() is not a message.
+std::string message_of(const std::exception& error);
 
 }  // namespace viete::base

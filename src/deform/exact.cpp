@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
+#include "deform/surface_weights.h"
 
 namespace viete::deform {
 
@@ -62,11 +63,16 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
     sums_.resize(n * state_.rows().columns());
     if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
   }
-  if (entry(scheme.weighting.weights).on_surface) {
-    const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
+  const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
+  const bool on_surface = entry(scheme.weighting.weights).on_surface;
+  if (on_surface && n > most_solved_vertices) {
+    proxy_.emplace(model_, *cage_, scheme.weighting, pool_, progress);
+  } else if (on_surface) {
     surface_weights_ = deform::bind(mesh::lent(model_), *cage_, scheme.weighting, EngineKind::staged, nullptr,
                                     pool_, progress);
-  } else if (weights == Weights::kept && has_room_to_keep(n, weigher_.handles())) {
+  }
+  const bool has_all = on_surface && !proxy_;
+  if (weights == Weights::kept && !has_all && has_room_to_keep(n, weigher_.handles())) {
     const std::size_t block = handle_block(weigher_.handles());
     parts_.resize((n + block - 1) / block);
   }
@@ -77,6 +83,11 @@ BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
   std::vector<double> solved;
   if (const auto& all = surface_weights_.weights; !all.empty())
     solved.assign(all.begin() + std::ptrdiff_t(begin * k), all.begin() + std::ptrdiff_t((begin + count) * k));
+  if (proxy_) {
+    solved.resize(count * k);
+    for (std::size_t i = 0; i < count; ++i)
+      proxy_->row(static_cast<std::uint32_t>(begin + i), std::span(solved).subspan(i * k, k));
+  }
   BoundPart part = bind_part(weigher_, std::span(model_.positions).subspan(begin, count), std::move(solved));
   if (mask_)
     part.binding.shares = product(std::move(part.binding.shares), values(mask_).subspan(begin, count));

@@ -15,6 +15,7 @@
 #include "deform/probe_layer.h"
 #include "deform/shape_follower.h"
 #include "deform/stitching.h"
+#include "deform/surface_proxy.h"
 #include "deform/weigher.h"
 #include "sym3/exp.h"
 
@@ -30,7 +31,8 @@ struct ExactModel {
 /// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most
 /// 1e-12 of the cage's diagonal. The number of threads and earlier poses do not change the results. Needs
 /// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements).
-/// Harmonic and biharmonic weights need memory for the weights of all vertices. Not thread-safe.
+/// Weights along the surface also need memory: for all vertices of a small model, for the clusters of the
+/// proxy of a large one. Not thread-safe.
 class ExactDeformer {
 public:
   /// Weights::kept keeps all weights for later poses, if they need less than a quarter of the free memory.
@@ -65,10 +67,11 @@ private:
   std::optional<Stitching> stitching_;
   std::optional<CoarseModel> coarse_model_;  // stitched instead of the model, by coarse_
   std::unique_ptr<ExactDeformer> coarse_;
-  std::vector<double> sums_;      // weighted sums of rows for all vertices, only for stitching
-  Shares shares_;                 // shares of all vertices, only for stitching
-  Binding surface_weights_;       // harmonic or biharmonic weights of all vertices; empty for other weights
-  std::vector<BoundPart> parts_;  // one per block; empty unless weights are kept
+  std::vector<double> sums_;           // weighted sums of rows for all vertices, only for stitching
+  Shares shares_;                      // shares of all vertices, only for stitching
+  Binding surface_weights_;            // weights along the surface of a small model; empty for other weights
+  std::optional<ProxyWeights> proxy_;  // weights along the surface of a large model
+  std::vector<BoundPart> parts_;       // one per block; empty unless weights are kept
   ProbeLayer layer_;
   std::optional<ShapeFollower> follower_;  // rotates shapes if the elements only translate
 };

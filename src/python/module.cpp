@@ -195,6 +195,13 @@ void define_tangent(py::module_& m, const char* name, const F& f, const Extra&..
 PYBIND11_MODULE(viete, m) {
   m.doc() = "Cage-based mesh deformation, and fast, accurate functions of many symmetric 3x3 matrices.";
   m.attr("__version__") = VIETE_VERSION;
+  py::register_local_exception_translator([](std::exception_ptr error) {
+    try {
+      if (error) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+      PyErr_SetString(PyExc_MemoryError, "not enough memory; close other programs or use a smaller model");
+    }
+  });
   m.def(
       "kernel", [] { return std::string(sym3::kernel_name()); },
       "The instruction set in use, for example 'avx512'.");

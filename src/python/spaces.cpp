@@ -12,8 +12,10 @@ namespace viete::python {
 namespace {
 
 std::vector<Points> all_points(const char* what, const py::object& shapes) {
+  // Python cannot iterate over a memoryview of several dimensions, but numpy can.
+  const bool buffer = py::isinstance<py::buffer>(shapes);
   std::vector<Points> all;
-  for (const py::handle shape : shapes)
+  for (const py::handle shape : buffer ? py::object(as_array(what, shapes)) : shapes)
     all.push_back(points_of(what, py::reinterpret_borrow<py::object>(shape)));
   return all;
 }
@@ -28,8 +30,11 @@ template <class Space>
 void define_sums(py::class_<Guarded<Space>>& space) {
   space.def(
       "mix",
-      [](Guarded<Space>& s, const std::vector<double>& weights) {
-        return array_of(s.with([&](const Space& space) { return space.mix(weights); }));
+      [](Guarded<Space>& s, const py::object& weights) {
+        const auto numbers = python::numbers("mix", "weights", weights);
+        if (numbers.ndim() != 1) wrong("mix", "weights must be (k,); this shape is " + shape_text(numbers));
+        const std::vector<double> all(numbers.data(), numbers.data() + numbers.size());
+        return array_of(s.with([&](const Space& space) { return space.mix(all); }));
       },
       py::arg("weights"),
       "The weighted sum, (n, 3): [1, 0, ...] gives the first shape or pose, [0, 0, ...] the shape or cage at "

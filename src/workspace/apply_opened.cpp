@@ -171,7 +171,8 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
                                             : RecentFile{saved.session, {}});
   }
   add_unkeyed_to_undo(w, opened.recovered);
-  if (is_example) show_timeline(w), start_playing(w);
+  if (is_example) show_timeline(w);
+  if (is_example && w.panels.has_user) start_playing(w);
   if (opened.session && opened.session->camera) return w.view.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.view.camera.set_up(guessed_up(w.document.model));

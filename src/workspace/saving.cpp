@@ -32,7 +32,7 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
     w.messages.info("Saved " + path.filename().string() + ".");
     return true;
   } catch (const std::exception& error) {
-    report_refusal(w, path, error.what(), topic);
+    report_refusal(w, path, base::message_of(error), topic);
     return false;
   }
 }

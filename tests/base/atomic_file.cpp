@@ -143,6 +143,17 @@ TEST_CASE("parts_of_killed_programs_are_removed_at_the_next_write") {
   CHECK(folder.entries() == std::size(others) + 2);
 }
 
+TEST_CASE("names_of_up_to_255_bytes_are_written_and_their_parts_removed") {
+  for (const std::size_t length : {191, 192, 244, 255}) {
+    const test::TemporaryFolder folder;
+    const std::string name(length, 'x');
+    test::put_file(folder / (std::string(191, 'x') + ".999999999-1-0.part"), "half");
+    replace_file(folder / name, "whole");
+    CHECK(test::file_bytes(folder / name) == "whole");
+    CHECK(folder.entries() == 1);
+  }
+}
+
 TEST_CASE("stale_parts_of_a_folder_are_removed_and_active_ones_kept") {
   const test::TemporaryFolder folder;
   base::remove_stale_parts(folder / "none");

@@ -96,6 +96,12 @@ TEST_CASE("job_gives_its_value_or_the_reason_of_its_failure_once") {
   CHECK_FALSE(failure->stopped);
 }
 
+TEST_CASE("a_job_without_memory_fails_with_advice") {
+  BackgroundJob<int> job;
+  job.start([](viete::base::StepProgress&) -> int { throw std::bad_alloc(); });
+  CHECK(job.poll(true)->problem == "not enough memory; close other programs or use a smaller model");
+}
+
 TEST_CASE("stopped_job_reports_it") {
   BackgroundJob<int> job;
   Endless endless;

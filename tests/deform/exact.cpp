@@ -130,6 +130,13 @@ TEST_CASE("errors_of_methods_at_close_eigenvalues_are_reported") {
   CHECK(deform_exactly(b, b.pose(bent_and_stretched), Method::sd).exp_error < 1e-12);
 }
 
+TEST_CASE("large_models_in_surface_weights_are_deformed_as_by_the_staged_engine" *
+          doctest::test_suite(longer)) {
+  Bound b(tube(300, 300, 0.9, 3), box({1.5, 2, 2}), biharmonics);
+  REQUIRE(b.model.positions.size() > 2 * 40'000);
+  CHECK(diagonals_from_staged(b, b.pose(bent_and_stretched), Method::fast) < 1e-12);
+}
+
 TEST_CASE("exact_deformers_reject_empty_models_and_other_poses_and_can_be_cancelled") {
   const Bound b(cloud(9000), box());
   base::WorkerPool pool(2);

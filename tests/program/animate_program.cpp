@@ -88,6 +88,24 @@ TEST_CASE("pictures_and_turntables_show_no_tool_and_the_cage_only_if_it_is_asked
   shows_no_tool();
 }
 
+TEST_CASE("a_picture_of_a_session_shows_its_frame_or_another_and_is_the_same_every_time") {
+  const AnimatedFiles files;
+  const auto drawn = [&](const std::string& more) {
+    const std::string loop = quoted(assets_dir() / "dragon" / "loop.viete");
+    const Outcome outcome = run("render " + loop + " --size 200x150 --force -o p.png " + more,
+                                "cd " + quoted(files.path()) + " &&");
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    return read_png(files / "p.png");
+  };
+  const render::Image first = drawn("");
+  CHECK(drawn("").rgba == first.rgba);
+  CHECK(drawn("--frame 1").rgba == first.rgba);  // the session was saved at frame 1
+  CHECK(difference(drawn("--frame 20"), first, 12) > 0.005);
+  const Outcome refused = run("render model.obj -o q.png --frame 2", "cd " + quoted(files.path()) + " &&");
+  CHECK(refused.code == 1);
+  CHECK(mentions(refused, "the timeline has no keys"));
+}
+
 TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   const AnimatedFiles files;
   Outcome outcome = files.animate("-o f_##.ply --step 4");
@@ -117,13 +135,15 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
 
 TEST_CASE("an_animation_that_was_killed_has_whole_frames") {
   const AnimatedDragon d;
-  for (const char* signal : {"KILL", "INT"}) {
+  for (const char* signal : {"INT", "HUP", "KILL"}) {
     CAPTURE(signal);
     const std::string out = std::string(signal) + "_##.ply";
     const Outcome ended = ended_by(signal, d.path(), d.line("-o '" + out + "'"),
                                    std::string(signal) + "_03.ply", std::string(signal) + "_*");
-    if (std::string(signal) == "INT")
+    if (std::string(signal) != "KILL") {
       CHECK_MESSAGE(mentions(ended, "stopped; files written so far are complete"), ended.text);
+      CHECK(names_of(d.path(), ".part").empty());
+    }
     const base::NumberedName name(d / out);
     const auto there = name.find();
     CHECK(there.size() >= 3);

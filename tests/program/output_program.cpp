@@ -76,6 +76,22 @@ TEST_CASE("dependencies_and_key_files_are_not_overwritten") {
   files.done(animate + "p_#.obj -o m_##.obj --frames 1-4");
 }
 
+TEST_CASE("failed_writes_have_a_message_and_leave_no_part") {
+  const WorkFolder files;
+  const std::string there = "cd " + quoted(files.path()) + " && ";
+  const Outcome limited = run(posed + " -o out.ply", there + "ulimit -f 8 &&");
+  CHECK(limited.code == 1);
+  CHECK(mentions(limited, "out.ply: cannot be written: File too large; raise the limit of the file size"));
+  CHECK(files.entries() == 0);
+  const std::string viete = quoted(build_dir() / "viete");
+  for (const char* words : {" --help", " --version", " deform --help", " info"}) {
+    const Outcome full = outcome_of(viete + words + " 2>&1 > /dev/full");
+    CHECK(full.code == 1);
+    CHECK(mentions(full, "viete: standard output could not be written"));
+  }
+  CHECK(outcome_of("(" + viete + " --help 2>&1; echo $? >&2) 2>&1 | head -1").text.starts_with("Viete"));
+}
+
 TEST_CASE("outputs_are_checked_before_the_work") {
   const SmallFiles files;
   put_file(files / "locked.obj", "precious");

@@ -369,6 +369,13 @@ class Arrays(WithFolder):
         d = viete.Deformer(CUBE, CUBE_FACES, cage, cage_faces)
         self.assertLess(np.abs(d.deform(cage) - CUBE).max(), 1e-9)
 
+    def test_memoryviews_are_arrays(self):
+        moved = np.stack([self.model * 2, self.model * 3])
+        shapes = viete.ShapeSpace(memoryview(self.model), memoryview(self.faces), memoryview(moved))
+        self.assertLess(np.abs(shapes.mix(memoryview(np.array([1.0, 0.0]))) - self.model * 2).max(), 1e-9)
+        with self.assertRaises(ValueError):
+            shapes.mix(memoryview(np.ones((2, 2))))
+
     def test_memory_does_not_grow(self):
         d = self.bound(dtype="float32")
         out = np.empty((len(self.model), 3), np.float32)
