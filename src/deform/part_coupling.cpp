@@ -162,6 +162,8 @@ PartedSurface parted_surface(const mesh::Surface& surface, std::vector<double> m
       v = copy->second;
     }
   }
+  if (!parted.origins.empty())
+    parted.surface = mesh::from_triangles(std::move(parted.surface.positions), parted.surface.triangles);
   return parted;
 }
 
