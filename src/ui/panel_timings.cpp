@@ -31,11 +31,16 @@ bool is_visible(const workspace::MethodSample& sample) {
 }
 
 // A line of a card: what the value is, and the value.
-void card_line(const Context& ui, ImVec2 at, float width, const char* what, const std::string& value,
+void card_line(const Context& ui, ImVec2 at, float width, std::string what, const std::string& value,
                ImU32 color) {
-  constexpr float margin = 10;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddText(nullptr, 0.87f * ImGui::GetFontSize(), {at.x + margin, at.y}, ui.colors.faint, what);
+  constexpr float margin = 10, gap = 6, smaller = 0.87f;
+  ImGui::PushFont(ui.fonts.numbers);
+  const float room = width - 2 * margin - gap - ImGui::CalcTextSize(value.c_str()).x;
+  ImGui::PopFont();
+  // In a narrow column only the last word fits.
+  if (smaller * ImGui::CalcTextSize(what.c_str()).x > room) what.erase(0, what.rfind(' ') + 1);
+  ImGui::GetWindowDrawList()->AddText(nullptr, smaller * ImGui::GetFontSize(), {at.x + margin, at.y},
+                                      ui.colors.faint, what.c_str());
   text_right(ui, at.x + width - margin, value, color, at.y);
 }
 
@@ -92,7 +97,7 @@ void panel_method(const Context& ui) {
   const bool orange = running_sample(w) && std::ranges::any_of(w.frame.methods.samples, is_visible);
   note(ui, !used                                      ? "This deformer uses no exponential."
            : !document::differs_from_rest(w.document) ? "Pose the cage to compare the methods."
-           : orange                                   ? "Orange: this error can become visible."
+           : orange                                   ? "Orange: can become visible."
                                                       : "Medians over the matrices of this frame");
   hint("Median time over " + count(w.frame.methods.matrices) +
        " matrices of this frame; errors are relative to 106-bit results. Teal marks the best values, "
