@@ -52,12 +52,13 @@ void motion_setting(const Context& ui) {
 void recovered_edits(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   heading(ui, "Recovered edits");
-  if (w.recovery.files.empty()) return note(ui, "No recovered edits. They appear here after a crash.");
+  const std::vector<files::RecoveryFile> offers = w.recovery.offers();
+  if (offers.empty()) return note(ui, "No recovered edits. They appear here after a crash.");
   constexpr std::size_t most_rows = 6;
-  const std::size_t rows = std::min(most_rows, w.recovery.files.size());
+  const std::size_t rows = std::min(most_rows, offers.size());
   ImGui::BeginChild("recovered", {0, static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing()});
-  for (std::size_t i = 0; i < w.recovery.files.size(); ++i) {
-    const files::RecoveryFile& kept = w.recovery.files[i];
+  for (std::size_t i = 0; i < offers.size(); ++i) {
+    const files::RecoveryFile& kept = offers[i];
     ImGui::PushID(static_cast<int>(i));
     const float end = ImGui::GetContentRegionAvail().x - 80;
     row_label(shortened(kept.name, end - 130).c_str(), end - 120);
@@ -72,7 +73,7 @@ void recovered_edits(const Context& ui) {
   }
   ImGui::EndChild();
   if (button(ui, "Discard all", "preferences/discard", "Delete all recovered edits, after asking."))
-    w.files.question = workspace::ask_before_discarding(w.recovery.files.size());
+    w.files.question = workspace::ask_before_discarding(offers.size());
 }
 
 }  // namespace

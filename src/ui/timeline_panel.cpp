@@ -184,7 +184,7 @@ void way_choice(const Context& ui) {
     const bool on = linear == (i == 1);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/linear", hints[i], {76, bar_height}) && !on)
+    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/linear", hints[i], {68, bar_height}) && !on)
       command.run(ui.workspace);
     if (on) ImGui::PopStyleColor(2);
   }
@@ -210,7 +210,7 @@ void easing_choice(const Context& ui) {
   const document::PoseKey* key =
       eased.empty() ? nullptr : document::key_at(w.document.timeline, eased.front());
   ImGui::BeginDisabled(!key);
-  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 116,
+  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 110,
               {"time/", "Easing",
                "Interpolation from the selected keys, or from the key before this frame, to the next key."});
   ImGui::EndDisabled();
@@ -233,8 +233,8 @@ void range(const Context& ui, float right) {
                                  choice_list(ui, "time/repeat", std::optional(document.timeline.repeat), 92,
                                              {.prefix = "time/"});
                                }},
-                              {156, 8, [&] { way_choice(ui); }},
-                              {116, 8, [&] { easing_choice(ui); }}};
+                              {138, 8, [&] { way_choice(ui); }},
+                              {110, 8, [&] { easing_choice(ui); }}};
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 

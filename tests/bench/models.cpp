@@ -46,8 +46,8 @@ TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
     std::vector<double> row(k);
     double sum = 0;
     for (std::size_t j = 0; j < k; ++j) {
-      const auto& t = cage.surface.triangles[j];
-      const auto& p = cage.surface.positions;
+      const auto& t = cage.elements.triangles[j];
+      const auto& p = cage.elements.positions;
       const double d2 =
           mesh::closest_on_triangle(model.positions[i], p[t[0]], p[t[1]], p[t[2]]).squared_distance;
       sum += row[j] = 1 / d2;

@@ -149,8 +149,9 @@ TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   CHECK(tall["linear"]["volumes"].size() == 21);
   CHECK(double(tall["linear"]["volumes"][20]) == doctest::Approx(2));
   CHECK(test::mentions(page, row("tall", percent(100 * double(tall["log_space"]["volume"])))));
-  for (const char* part : {"prefers-color-scheme:dark", "<dl class=\"tiles\">", " distorts least: ",
-                           "<figcaption>halfway, log space</figcaption>", "Description of the deformers"})
+  for (const char* part :
+       {"prefers-color-scheme:dark", "<dl class=\"tiles\">", " distorts least: ",
+        "<figcaption>deviation of edge lengths halfway, %</figcaption>", "Description of the deformers"})
     CHECK_MESSAGE(test::mentions(page, part), part);
   const std::regex painted("(fill|stroke)=\"(#[0-9a-f]+)\"");
   for (std::sregex_iterator color(above.begin(), above.end(), painted), end; color != end; ++color) {

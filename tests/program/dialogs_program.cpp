@@ -151,6 +151,7 @@ TEST_CASE("preferences_change_scale_motion_autosave_and_list_recovered_edits") {
   CHECK_FALSE(w.preferences.autosave);
   d.click("preferences/restore/1");
   CHECK_FALSE(w.panels.show_preferences);
-  d.frame(2);
+  d.settle();
+  REQUIRE_FALSE(w.messages.all().empty());
   CHECK(w.messages.all().back().text.find("b.viete") != std::string::npos);  // this file is missing
 }
