@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the picture of the window at the head of the README: viewer.sh [VIETE]
+# Makes the picture of the window of the README: viewer.sh [VIETE]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 viete=${1:-$here/../../build/viete}

@@ -50,10 +50,7 @@ Caption shown_in(const workspace::Workspace& w, std::size_t number) {
     shown.add_number(view.problem.empty() ? "binding" : view.problem);
     return shown;
   }
-  if (const auto times = view.stats.deforming_median()) {
-    shown.add_number(milliseconds(times->links.total()));
-    if (times->busy) shown.add_number(std::string(busy_words));
-  }
+  if (const auto times = view.stats.deforming_median()) shown.add_number(milliseconds(times->links.total()));
   const workspace::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
   if (const auto exp = running ? std::optional(running->worst_error) : view.exp_error)
     shown.add_number("exp " + error(*exp));

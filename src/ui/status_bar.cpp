@@ -53,8 +53,7 @@ std::string fitting(std::string text, float width) {
 
 std::string numbers_text(const workspace::Workspace& w) {
   const auto median = w.view.split.views[0].stats.median();
-  std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
-  if (median && median->busy) frame += " (" + std::string(busy_words) + ")";
+  const std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
   const std::string kernel = w.about.kernel.empty() ? "" : "kernel " + w.about.kernel;
   return frame + (frame.empty() || kernel.empty() ? "" : "   ") + kernel;
 }
