@@ -44,15 +44,22 @@ Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
   if (!folder_.empty()) file_ = files::recovery_file(folder_);
 }
 
+Autosave::Key Autosave::key_of(const workspace::Workspace& w) {
+  return {w.files.opened, w.document.history.revision(), w.files.saved.revision(),
+          w.document.revisions().method, w.view.options};
+}
+
+bool Autosave::is_due(const workspace::Workspace& workspace) const {
+  return !folder_.empty() && (base::is_ready(writing_) || seen_ != key_of(workspace));
+}
+
 void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   if (folder_.empty()) return;
   take_result(workspace, 0);
   const document::Document& document = workspace.document;
-  const Moment now{
-      workspace.files.opened,           document.history.revision(),
-      workspace.files.saved.revision(), document.revisions().method,
-      workspace.view.options,           no_drag ? workspace::has_unsaved_edits(workspace) : seen_.unsaved};
-  if (now == seen_) return;
+  const Key now = key_of(workspace);
+  const bool unsaved = no_drag ? workspace::has_unsaved_edits(workspace) : unsaved_;
+  if (now == seen_ && unsaved == unsaved_) return;
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
     take_result(workspace, backup_timeout);
@@ -63,23 +70,20 @@ void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
     untouched_ = workspace.recovery.from;
     restored_ = untouched_.empty() ? document::DocumentState() : state_of(document);
     restored_.pose = real_pose(document);
-  } else if (!now.unsaved || (now.edits != seen_.edits && workspace::differs(workspace, restored_))) {
+  } else if (!unsaved || (now.edits != seen_.edits && workspace::differs(workspace, restored_))) {
     untouched_.clear();  // a change of the selection is no further edit
   }
   seen_ = now;
+  unsaved_ = unsaved;
   kept_ = false;
   writing_ = {};  // ignores the result of an earlier write
   if (!untouched_.empty()) return;
-  if (now.unsaved) {
+  if (unsaved) {
     write(workspace);
   } else if (!other) {
     remove(std::exchange(workspace.recovery.from, {}));
   }
   take_result(workspace, longest_wait);
-}
-
-bool Autosave::has_news() const {
-  return base::is_ready(writing_);
 }
 
 bool Autosave::keep_now(workspace::Workspace& workspace) {

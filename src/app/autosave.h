@@ -29,8 +29,8 @@ public:
   void follow(workspace::Workspace& workspace, bool no_drag = true);
   /// True if the current edits have been written.
   bool kept() const { return kept_; }
-  /// True if a write has finished or failed since the last follow().
-  bool has_news() const;
+  /// True if follow() would do something now, except during a drag.
+  bool is_due(const workspace::Workspace& workspace) const;
   /// Writes the current edits and waits. Returns false if this fails twice or takes too long: see problem().
   bool keep_now(workspace::Workspace& workspace);
   /// Calls keep_now(), then renames the file to keep it. Call before another document is opened.
@@ -41,14 +41,15 @@ public:
   std::string problem() const;
 
 private:
-  struct Moment {
+  // The input of a recovery file.
+  struct Key {
     document::Revision opened = 0;
     unsigned long edits = 0, saved = 0;
     document::Revision method = 0;
     document::ViewOptions view;
-    bool unsaved = false;
-    friend bool operator==(const Moment&, const Moment&) = default;
+    friend bool operator==(const Key&, const Key&) = default;
   };
+  static Key key_of(const workspace::Workspace& workspace);
 
   void write(workspace::Workspace& workspace);
   void take_result(workspace::Workspace& workspace, double wait_seconds);
@@ -57,7 +58,8 @@ private:
 
   std::filesystem::path folder_, file_;
   base::BackgroundQueue& queue_;
-  Moment seen_;
+  Key seen_;
+  bool unsaved_ = false;  // there were unsaved edits when follow() was last called without a drag
   std::future<void> writing_;
   std::filesystem::path replaced_;    // the restored file that the current write deletes; empty if none
   std::filesystem::path untouched_;   // the restored file while there are no further edits; empty if none

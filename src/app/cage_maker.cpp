@@ -40,15 +40,18 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
   return all;
 }
 
-bool CageMaker::is_due(const workspace::Workspace& w) const {
-  if (!w.making.open) return job_.running() || asked_.has_value();
-  if (job_.has_result()) return true;
-  if (!is_wished(w)) return !job_.running() || effort_ == cages::Effort::full;
-  if (job_.running()) return false;
-  return w.making.closing || (wants_full_ && base::wall_seconds() - asked_at_ > rest_seconds);
+double CageMaker::due_in(const workspace::Workspace& w, bool no_drag) const {
+  if (!w.making.open) return job_.running() || asked_ ? 0 : base::never;
+  if (!no_drag) return base::never;
+  if (job_.has_result()) return 0;
+  if (!is_wished(w)) return !job_.running() || effort_ == cages::Effort::full ? 0 : base::never;
+  if (job_.running()) return base::never;
+  if (w.making.closing) return 0;
+  return wants_full_ ? base::seconds_until(asked_at_ + rest_seconds) : base::never;
 }
 
-void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
+bool CageMaker::follow(workspace::Workspace& w, bool no_drag) {
+  bool news = false;
   if (!w.making.open) {
     job_.cancel();
     asked_.reset();
@@ -56,6 +59,7 @@ void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
     wants_full_ = false;
   } else if (no_drag) {
     if (auto result = job_.poll()) {
+      news = true;
       // If the preview was replaced or posed, the full-quality cage is obsolete.
       const bool wanted =
           effort_ == cages::Effort::preview || document::can_replace_generated(w.document, w.making);
@@ -68,10 +72,11 @@ void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
     wants_full_ &= job_.running() || document::can_replace_generated(w.document, w.making);
-    if (is_due(w) && wants_full_) start(w, cages::Effort::full);
+    if (wants_full_ && due_in(w, true) <= 0) start(w, cages::Effort::full);
     if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_) close(w);
   }
   w.jobs.making_cage = job_.state();
+  return news;
 }
 
 void CageMaker::start(const workspace::Workspace& w, cages::Effort effort) {

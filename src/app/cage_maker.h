@@ -17,15 +17,17 @@ namespace viete::app {
 /// generates the cage in full quality and binds the model. For a box, the preview is final. Not thread-safe.
 class CageMaker {
 public:
+  explicit CageMaker(base::Wake wake = nullptr) : job_(std::move(wake)) {}
+
   /// Call once per frame. If `no_drag` is true, puts a finished cage into the document and starts the next
-  /// generation. If the panel is closed, cancels the generation.
-  void follow(workspace::Workspace& workspace, bool no_drag);
+  /// generation. If the panel is closed, cancels the generation. Returns true if a generation has ended.
+  bool follow(workspace::Workspace& workspace, bool no_drag);
   /// Cancels the generation and shows a message. The current cage stays until the settings change.
   void stop(workspace::Workspace& workspace);
 
   bool running() const { return job_.running(); }
-  /// True if follow() would do something now.
-  bool is_due(const workspace::Workspace& workspace) const;
+  /// The seconds until follow() has something to do; base::never without further input.
+  double due_in(const workspace::Workspace& workspace, bool no_drag) const;
   /// Moves the binding of the last finished cage to the caller. The binding of a preview is empty.
   Bound take_bound() { return std::exchange(bound_, {}); }
 

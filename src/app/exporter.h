@@ -39,6 +39,9 @@ public:
     std::string problem;
   };
 
+  /// See base::BackgroundQueue for `wake`.
+  explicit Exporter(base::Wake wake = nullptr) : job_(std::move(wake)) {}
+
   /// what.file must have passed check_output(). A note in `shown_notes` is not shown again.
   void add(files::Export what, std::vector<std::string> shown_notes = {});
   void add(files::AnimationExport what, std::vector<std::string> shown_notes = {});
@@ -46,6 +49,7 @@ public:
   /// Cancels the running export. When this export has ended, the next export starts.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
+  bool has_result() const { return job_.has_result(); }
   workspace::WorkState state() const;
   /// If `wait` is true, waits for the running export. If an export has finished, starts the next export.
   /// Reports success or cancelling in `messages`. A failure is returned, but not reported.

@@ -25,6 +25,9 @@ struct FieldSubject {
 /// Computes the shown fields of all views, again after each change of the input. Not thread-safe.
 class FieldMaker {
 public:
+  explicit FieldMaker(const base::Wake& wake = nullptr)
+      : views_{View(wake), View(wake), View(wake), View(wake)} {}
+
   /// Call after a frame is deformed. Stores new values in `shown` and starts the next computation. If `wait`
   /// is false, values of a slow field can belong to an earlier pose. Returns true if there are new values.
   bool follow(std::size_t view, const FieldSubject& subject, workspace::FieldView& shown, bool wait = false);
@@ -46,6 +49,8 @@ private:
     friend bool operator==(const Key&, const Key&) = default;
   };
   struct View {
+    explicit View(const base::Wake& wake) : job(wake) {}
+
     base::BackgroundJob<analysis::FieldValues> job;
     Key key;
   };

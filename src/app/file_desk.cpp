@@ -7,7 +7,6 @@
 #include "base/numbered_files.h"
 #include "files/output.h"
 #include "formats/source.h"
-#include "workspace/apply_opened.h"
 #include "workspace/saving.h"
 
 namespace viete::app {
@@ -27,8 +26,14 @@ fs::path preferences_file(const fs::path& state) {
   return state / "remembered.json";
 }
 
-FileDesk::FileDesk(const fs::path& state, workspace::Workspace& workspace, fs::path program)
-    : state_(state), program_(std::move(program)), autosave_(recovery_folder(state), queue_) {
+FileDesk::FileDesk(const fs::path& state, workspace::Workspace& workspace, fs::path program,
+                   const base::Wake& wake)
+    : state_(state),
+      program_(std::move(program)),
+      loader_(wake),
+      exporter_(wake),
+      queue_(wake),
+      autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
   workspace.recovery.files = files::find_recovery_files(recovery_folder(state_));
@@ -43,49 +48,70 @@ FileDesk::FileDesk(const fs::path& state, workspace::Workspace& workspace, fs::p
   written_ = workspace.preferences;
 }
 
-void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
-  auto& r = w.jobs.requests;
-  if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
-  if (const auto request = std::exchange(r.open, std::nullopt)) {
-    reading_ = request->files.empty() ? fs::path() : request->files.front();
-    start_loading(loader_, *request, w.document, w.about.moving_triangles);
-  }
-  if (r.stop_work) loader_.stop();
-  if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file);
-  if (const auto file = std::exchange(r.save_pose, std::nullopt)) workspace::save_pose(w, *file);
-  if (const auto file = std::exchange(r.save_cage, std::nullopt)) workspace::save_cage(w, *file);
-  if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
-    export_to(w, *file, &FileDesk::start_export);
-  if (const auto file = std::exchange(r.save_animation, std::nullopt);
-      file && w.document.is_movable() && !w.document.timeline.keys.empty())
-    export_to(w, *file, &FileDesk::start_animation_export);
-  if (std::exchange(r.stop_export, false)) exporter_.stop();
-  follow_exports(w, false);
-  proceed_after_saving(w);
-  if (std::exchange(r.quit, false) && !w.files.question) close(w);
-  show_exports(w);
-  if (no_drag && !w.files.question) take_loaded(w, false);
-  follow_dialog(w.files.browser, w);
+void FileDesk::open(workspace::Workspace& w, const files::OpenRequest& request) {
+  reading_ = request.files.empty() ? fs::path() : request.files.front();
+  start_loading(loader_, request, w.document, w.about.moving_triangles);
 }
 
-// Closes the file browser when its request is done. During long work, a progress bar replaces the browser.
-void FileDesk::follow_dialog(workspace::FileBrowser& browser, const workspace::Workspace& w) {
+void FileDesk::save(workspace::Workspace& w, const workspace::SaveFile& wish) {
+  using Content = workspace::SaveFile::Content;
+  const bool movable = w.document.is_movable();
+  switch (wish.content) {
+    case Content::session: return save_session(w, wish.file);
+    case Content::pose: workspace::save_pose(w, wish.file); return;
+    case Content::cage: workspace::save_cage(w, wish.file); return;
+    case Content::model:
+      if (movable) export_to(w, wish.file, &FileDesk::start_export);
+      return;
+    case Content::animation:
+      if (movable && !w.document.timeline.keys.empty())
+        export_to(w, wish.file, &FileDesk::start_animation_export);
+      return;
+  }
+}
+
+bool FileDesk::is_due(const workspace::Workspace& w, bool no_drag) const {
+  return exporter_.has_result() || continues(w) || (takes_loaded(w, no_drag) && loader_.has_result()) ||
+         ends_dialog(w);
+}
+
+bool FileDesk::follow(workspace::Workspace& w, bool no_drag) {
+  bool news = follow_exports(w, false);
+  if (continues(w)) continue_after_saving(w);
+  show_exports(w);
+  if (takes_loaded(w, no_drag)) news |= take_loaded(w, false);
+  if (ends_dialog(w)) end_dialog(w.files.browser);
+  return news;
+}
+
+// True if a dialog's file has been read or written, or if a progress bar should replace the dialog.
+bool FileDesk::ends_dialog(const workspace::Workspace& w) const {
   constexpr double short_time = 0.5;
-  if (browser.asked.empty()) return;
-  const bool exports = exporter_.running(), reads = loader_.running();
-  if (exports || (reads && w.jobs.loading.age > short_time)) browser.open = false;
-  if (exports || reads || w.files.question) return;
+  const workspace::FileBrowser& browser = w.files.browser;
+  if (browser.asked.empty()) return false;
+  if (exporter_.running()) return browser.open;
+  if (loader_.running()) return browser.open && w.jobs.loading.age > short_time;
+  return !w.files.question;
+}
+
+void FileDesk::end_dialog(workspace::FileBrowser& browser) {
   browser.open = false;
-  browser.asked.clear();
+  if (!exporter_.running() && !loader_.running()) browser.asked.clear();
 }
 
 void FileDesk::export_to(workspace::Workspace& w, const fs::path& file, StartExport start) {
   try {
     (this->*start)(w, file);
   } catch (const base::Error& error) {
-    workspace::report_refusal(w, file, error.what(), "export");
-    closing_ = w.jobs.requests.quit = false;  // the user must read the error first
+    report_failed_export(w, file, error.what());
   }
+}
+
+// The user must read the error before the program closes.
+void FileDesk::report_failed_export(workspace::Workspace& w, const fs::path& file, const std::string& why) {
+  workspace::report_refusal(w, file, why, "export");
+  closing_ = false;
+  w.jobs.wishes.drop<workspace::CloseProgram>();
 }
 
 void FileDesk::start_export(const workspace::Workspace& w, const fs::path& file) {
@@ -123,46 +149,45 @@ void FileDesk::start_animation_export(const workspace::Workspace& w, const fs::p
   exporter_.add(std::move(what), w.frame.notes);
 }
 
-void FileDesk::take_loaded(workspace::Workspace& w, bool wait) {
+bool FileDesk::take_loaded(workspace::Workspace& w, bool wait) {
   auto result = loader_.poll(wait);
   w.jobs.loading = loader_.state();
-  if (!result) return;
+  if (!result) return false;
   if (result->value && result->value->question) {
     w.files.question = std::move(result->value->question);
     w.files.unopened = std::move(result->value->request);
   } else if (result->value) {
     const bool replaces_edits = result->value->opened.document && workspace::has_unsaved_edits(w);
-    if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
     waiting_ = std::move(result->value);
-    w.files.question = workspace::ask_before_opening(workspace::name_of_work(w), autosave_.problem());
+    if (!replaces_edits || autosave_.set_aside(w)) {
+      opened_ = std::exchange(waiting_, std::nullopt);
+    } else {
+      w.files.question = workspace::ask_before_opening(workspace::name_of_work(w), autosave_.problem());
+    }
   } else if (result->stopped) {
     w.messages.info("Cancelled opening; nothing was changed.", {"open"});
   } else {
     workspace::report_refusal(w, reading_, result->problem, "open");
   }
-}
-
-void FileDesk::take(workspace::Workspace& w, Loaded&& loaded) {
-  if (loaded.shading.surface) shading_ = std::move(loaded.shading);
-  if (loaded.bound.binding) bound_ = std::move(loaded.bound);
-  workspace::apply_opened(w, std::move(loaded.opened));
+  return true;
 }
 
 void FileDesk::close(workspace::Workspace& w) {
+  if (w.files.question) return;
   closing_ = exporter_.running();
   if (closing_) return;
   if (!workspace::has_unsaved_edits(w) || autosave_.keep_now(w)) return proceed(w, Kind::close);
   w.files.question = workspace::ask_before_closing(workspace::name_of_work(w), autosave_.problem());
 }
 
-void FileDesk::take_answer(workspace::Workspace& w, workspace::Answer answer) {
+void FileDesk::answer(workspace::Workspace& w, workspace::Answer answer) {
   if (!w.files.question) return;
   const Kind kind = std::exchange(w.files.question, std::nullopt)->kind;
   if (answer == workspace::Answer::cancel) return give_up(w);
   if (kind == Kind::locate_model) return browse_to_locate(w, workspace::FileBrowser::Purpose::locate_model);
   if (kind == Kind::locate_cage) return browse_to_locate(w, workspace::FileBrowser::Purpose::locate_cage);
   if (kind == Kind::fins) {
-    w.jobs.requests.open = std::exchange(w.files.unopened, std::nullopt);
+    if (const auto request = std::exchange(w.files.unopened, std::nullopt)) open(w, *request);
     return;
   }
   if (kind == Kind::discard) return discard(w);
@@ -182,14 +207,18 @@ void FileDesk::take_answer(workspace::Workspace& w, workspace::Answer answer) {
 void FileDesk::proceed(workspace::Workspace& w, Kind kind) {
   w.files.after_saving.reset();
   if (kind == Kind::close) autosave_.close_recovered(w), closed_ = true;
-  if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
+  if (kind == Kind::open) opened_ = std::exchange(waiting_, std::nullopt);
 }
 
-// After saving, continues with closing or opening. If saving was cancelled, cancels closing or opening too.
-void FileDesk::proceed_after_saving(workspace::Workspace& w) {
-  if (!w.files.after_saving || w.files.question) return;
+// True if the question's action must continue after saving, or be cancelled with it.
+bool FileDesk::continues(const workspace::Workspace& w) const {
+  return w.files.after_saving && !w.files.question &&
+         (!workspace::has_unsaved_edits(w) || !w.files.browser.open);
+}
+
+void FileDesk::continue_after_saving(workspace::Workspace& w) {
   if (!workspace::has_unsaved_edits(w)) return proceed(w, *w.files.after_saving);
-  if (!w.files.browser.open) give_up(w);
+  give_up(w);
 }
 
 void FileDesk::give_up(workspace::Workspace& w) {
@@ -214,12 +243,12 @@ void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, std::
 }
 
 // Continues with closing after all exports. If an export fails, cancels closing.
-void FileDesk::follow_exports(workspace::Workspace& w, bool wait) {
-  if (const auto failure = exporter_.follow(w.messages, wait)) {
-    workspace::report_refusal(w, failure->file, failure->problem, "export");
-    closing_ = w.jobs.requests.quit = false;  // the user must read the error first
-  }
-  if (!exporter_.running() && std::exchange(closing_, false)) w.jobs.requests.quit = true;
+bool FileDesk::follow_exports(workspace::Workspace& w, bool wait) {
+  const bool news = wait || exporter_.has_result();
+  if (const auto failure = exporter_.follow(w.messages, wait))
+    report_failed_export(w, failure->file, failure->problem);
+  if (!exporter_.running() && std::exchange(closing_, false)) close(w);
+  return news;
 }
 
 void FileDesk::show_exports(workspace::Workspace& w) {
@@ -250,6 +279,12 @@ void FileDesk::keep(workspace::Workspace& w, bool no_drag) {
   autosave_.follow(w, no_drag);
   remember(w);
   take_written(w);
+}
+
+bool FileDesk::keeps(const workspace::Workspace& w) const {
+  const bool is_new = !state_.empty() && w.preferences != written_;
+  return is_new || autosave_.is_due(w) ||
+         std::ranges::any_of(writes_, [](const auto& write) { return base::is_ready(write); });
 }
 
 void FileDesk::remember(workspace::Workspace& w) {

@@ -26,6 +26,7 @@ OffscreenViewer::OffscreenViewer(const ViewerOptions& options,
 
 void OffscreenViewer::settle() {
   constexpr float frame_seconds = 1.0f / 60;
+  viewer_.settle_panels();
   viewer_.frame(frame_seconds);
   viewer_.finish_loading();
   viewer_.finish_exports();

@@ -42,6 +42,7 @@ ViewerOptions viewer_options(const platform::Window& window) {
   options.still_samples = window.gl().software ? 4 : 0;
   options.may_be_coarse = true;
   options.state = state_folder();
+  options.wake = platform::Window::wake;
   return options;
 }
 
@@ -102,10 +103,8 @@ void WindowViewer::draw(float seconds, bool exposed) {
 void WindowViewer::run(int frames) {
   double last = base::wall_seconds();
   for (int drawn = 0; frames == 0 || drawn < frames;) {
-    window_.poll_events();
-    const bool needed = exposed_ || viewer_.wants_frame();
-    if (!needed) window_.wait_for_events(viewer_.working() ? 0.02 : 0.1);
-    if (window_.asked_to_close()) viewer_.workspace().jobs.requests.quit = exposed_ = true;
+    window_.wait_for_events(exposed_ || frames > 0 ? 0 : viewer_.due_in());
+    if (window_.asked_to_close()) viewer_.workspace().jobs.wishes.add(workspace::CloseProgram{});
     if (!exposed_ && !viewer_.wants_frame() && frames == 0) continue;
     const double now = base::wall_seconds();
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
@@ -138,7 +137,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
     workspace.messages.warn("There is no home folder, so unsaved edits cannot be recovered. Save often.");
   // Keeps these settings for the next document if this document cannot be opened.
   if (!options.inputs.session()) document::put_settings(workspace.document, options.inputs.settings);
-  workspace.jobs.requests.open = options.inputs.request();
+  workspace.jobs.wishes.open(options.inputs.request());
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
   if (viewer.keeping()) {

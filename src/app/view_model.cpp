@@ -34,13 +34,15 @@ sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
 
 }  // namespace
 
-LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
+LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_ptr<const mesh::Draft>& draft,
+                                     Bound known) {
+  model_draft_ = draft;
   const document::Document& document = w.document;
   const document::Revisions& now = document.revisions();
   const bool new_surfaces = std::exchange(surfaces_, now.surfaces) != now.surfaces;
   const bool new_cage = std::exchange(cage_revision_, now.cage) != now.cage;
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
-  if (new_surfaces || new_cage) follow_surfaces(w, new_surfaces ? files_.take_bound() : std::move(made));
+  if (new_surfaces || new_cage) follow_surfaces(w, std::move(known));
   if (new_surfaces || new_cage || new_weights) {
     binder_.cancel();
     given_up_.reset();
@@ -114,9 +116,8 @@ void LiveModel::take_binding(workspace::Workspace& w, bool wait) {
 constexpr workspace::Concern of_cage{"bind", workspace::Scope::cage};
 
 std::shared_ptr<const mesh::Draft> LiveModel::draft_of(const document::Document& document) {
-  const ModelShading& shading = files_.shading();
   const bool moves = document.has_cage() && !document.scheme.stitched();
-  return moves && shading.surface == document.model.surface ? shading.draft : nullptr;
+  return moves ? model_draft_ : nullptr;
 }
 
 void LiveModel::install(workspace::Workspace& w, Bound bound) {
@@ -153,18 +154,13 @@ void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, wo
   w.messages.say(severity, why, of_cage);
 }
 
-void LiveModel::finish_binding(workspace::Workspace& w) {
-  follow(w);
-  take_binding(w, true);
-}
-
 bool LiveModel::deforms(const document::Document& document) const {
   return deformer_ && derived_ != derived_of(document);
 }
 
-bool LiveModel::is_due(const document::Document& document) const {
+bool LiveModel::binding_is_due(const document::Document& document) const {
   return surfaces_ != document.revisions().surfaces || cage_revision_ != document.revisions().cage ||
-         weights_ != document.revisions().weights || (deforms(document) && !shows_draft(document));
+         weights_ != document.revisions().weights || binder_.has_result();
 }
 
 bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
@@ -360,14 +356,23 @@ void SideViews::finish(workspace::Workspace& w, const LiveModel& first) {
   while (is_due(w, first) || binding(w)) follow(w, first, true);
 }
 
+bool SideViews::lacks_error(std::size_t i) const {
+  return models_[i].ran() && measured_[i] != models_[i].frames();
+}
+
+double SideViews::measuring_in(const workspace::Workspace& w) const {
+  constexpr double rest_seconds = 0.3;  // shortest interval between measurements
+  for (std::size_t i = 0; i < w.view.split.sides().size(); ++i)
+    if (lacks_error(i)) return base::seconds_until(measured_at_ + rest_seconds);
+  return base::never;
+}
+
 bool SideViews::measure(workspace::Workspace& w) {
-  constexpr double rest_seconds = 0.3;
   constexpr std::size_t sample = 256;
-  if (!w.view.split.on() || base::wall_seconds() - measured_at_ < rest_seconds) return false;
-  bool any = false;
+  if (measuring_in(w) > 0) return false;
   for (std::size_t i = 0; i < w.view.split.sides().size(); ++i) {
+    if (!lacks_error(i)) continue;
     const deform::Deformer* deformer = models_[i].deformer();
-    if (!models_[i].ran() || measured_[i] == models_[i].frames()) continue;
     measured_[i] = models_[i].frames();
     workspace::SplitView& side = w.view.split.sides()[i];
     side.fused_error = deformer->sampled_error();
@@ -375,10 +380,9 @@ bool SideViews::measure(workspace::Workspace& w) {
     for (const auto& matrix : deformer->sample_matrices(sample))
       side.exp_error =
           std::max(side.exp_error.value_or(0), sym3::relative_error(sym3::exp(matrix, side.method), matrix));
-    any = true;
   }
-  if (any) measured_at_ = base::wall_seconds();
-  return any;
+  measured_at_ = base::wall_seconds();
+  return true;
 }
 
 // Destroys deformers before their pool.

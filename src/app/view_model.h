@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/bound.h"
-#include "app/file_desk.h"
 #include "base/background.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
@@ -66,6 +65,7 @@ struct FrameInput {
 /// The deformer of one view, with its binding. Not thread-safe.
 class ViewModel {
 public:
+  explicit ViewModel(base::Wake wake = nullptr) : binder_(std::move(wake)) {}
   bool binding() const { return binder_.running(); }
   bool has_result() const { return binder_.has_result(); }
   /// May be null.
@@ -133,18 +133,20 @@ private:
 /// weights change, uses the old binding until the new binding is ready. Not thread-safe.
 class LiveModel : public ViewModel {
 public:
-  explicit LiveModel(FileDesk& files) : files_(files) {}
+  explicit LiveModel(base::Wake wake = nullptr) : ViewModel(std::move(wake)) {}
   ~LiveModel() { deformer_.reset(), draft_.reset(); }
 
   struct Changed {
     bool document = false, cage = false;
   };
   /// Call once per frame, before deform(). Installs a finished binding. If needed, starts a new binding.
-  /// `made` is the binding of a generated cage. If the document has another cage, ignores `made`. Returns the
-  /// changes since the last call.
-  Changed follow(workspace::Workspace& workspace, Bound made = {});
-  /// Waits for the needed binding.
-  void finish_binding(workspace::Workspace& workspace);
+  /// `known` is the binding of opened files or of a generated cage. If the document has other surfaces,
+  /// ignores `known`. `draft` is the draft of the document's model, or null. Returns the changes since the
+  /// last call.
+  Changed follow(workspace::Workspace& workspace, const std::shared_ptr<const mesh::Draft>& draft = nullptr,
+                 Bound known = {});
+  /// Waits for the running binding.
+  void finish_binding(workspace::Workspace& workspace) { take_binding(workspace, true); }
   /// Cancels a running binding, reverts the settings that required this binding, and shows the message `why`.
   void stop_binding(workspace::Workspace& workspace, const std::string& why, workspace::Severity severity);
 
@@ -160,8 +162,12 @@ public:
 
   /// True if the draft shows the current pose, but the model does not.
   bool shows_draft(const document::Document& document) const;
-  /// True if follow() or deform_draft() would do something now.
-  bool is_due(const document::Document& document) const;
+  /// True if follow() would do something now.
+  bool binding_is_due(const document::Document& document) const;
+  /// True if deform_draft() would deform something now.
+  bool frame_is_due(const document::Document& document) const {
+    return deforms(document) && !shows_draft(document);
+  }
   /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
@@ -187,9 +193,9 @@ private:
   void renew_deformer(const deform::Scheme& scheme);
   bool deforms(const document::Document& document) const;
 
-  FileDesk& files_;
   base::WorkerPool pool_;
-  std::shared_ptr<const deform::Cage> no_cage_;  // substitute for a missing cage; null until needed
+  std::shared_ptr<const mesh::Draft> model_draft_;  // the draft of the document's model, or null
+  std::shared_ptr<const deform::Cage> no_cage_;     // substitute for a missing cage; null until needed
   document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;  // revisions of the last follow()
   struct Derived {
     document::Revision pose, method;
@@ -212,6 +218,8 @@ private:
 /// The model of an additional view. Uses the first view's binding if possible.
 class SideModel : public ViewModel {
 public:
+  using ViewModel::ViewModel;
+
   /// Call after a frame of the first view. Returns true if this view has a new frame.
   bool follow(workspace::SplitView& view, workspace::Workspace& workspace, const LiveModel& first,
               base::WorkerPool& pool, bool wait = false);
@@ -239,6 +247,9 @@ private:
 
 class SideViews {
 public:
+  explicit SideViews(const base::Wake& wake = nullptr)
+      : models_{SideModel(wake), SideModel(wake), SideModel(wake)} {}
+
   /// Call after a frame of the first view. Returns true if any view has a new frame.
   bool follow(workspace::Workspace& workspace, const LiveModel& first, bool wait = false);
   void finish(workspace::Workspace& workspace, const LiveModel& first);
@@ -250,8 +261,12 @@ public:
   /// Measures the errors of the frames a few times a second and stores them in the workspace. Returns true if
   /// errors were measured.
   bool measure(workspace::Workspace& workspace);
+  /// The seconds until measure() has something to do; base::never without further frames.
+  double measuring_in(const workspace::Workspace& workspace) const;
 
 private:
+  bool lacks_error(std::size_t side) const;
+
   std::unique_ptr<base::WorkerPool> pool_;  // exists while there are side views
   std::array<SideModel, workspace::Split::most - 1> models_;
   std::array<unsigned long, workspace::Split::most - 1> measured_{};  // number of the last measured frame

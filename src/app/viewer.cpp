@@ -2,8 +2,12 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <ctime>
+#include <string_view>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include "app/assets.h"
 #include "app/child_process.h"
@@ -14,6 +18,7 @@
 #include "render/view.h"
 #include "sym3/kernel.h"
 #include "ui/panels.h"
+#include "workspace/apply_opened.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
 #include "workspace/split.h"
@@ -32,6 +37,7 @@ Viewer::ImGuiOwner::ImGuiOwner() {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
+  ImGui::GetIO().ConfigInputTextCursorBlink = false;  // an idle window draws no frames
 }
 
 Viewer::ImGuiOwner::~ImGuiOwner() {
@@ -41,13 +47,19 @@ Viewer::ImGuiOwner::~ImGuiOwner() {
 Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
     : gl_(gl),
       options_(options),
-      files_(options.state, workspace_, options.program),
-      model_(files_),
-      analysis_(options.probe, options.program, options.state),
+      files_(options.state, workspace_, options.program, options.wake),
+      model_(options.wake),
+      cages_(options.wake),
+      sides_(options.wake),
+      report_(options.program, options.state, options.wake),
+      checks_(options.wake),
+      measuring_(options.probe, options.wake),
+      fields_(options.wake),
       imgui_renderer_(gl),
       framebuffer_(gl),
       renderer_(gl),
-      view_(gl, {options.samples, options.still_samples}) {
+      view_(gl, {options.samples, options.still_samples}),
+      activities_(list_of_activities()) {
   load_fonts();
   platform::InputQueue::configure();
   for (const auto& [palette, colors] : {std::pair{render::surface_palette(33), &field_colors_.even},
@@ -74,7 +86,6 @@ void Viewer::follow_characters() {
   const std::size_t known = characters_.size();
   characters_.merge(ui::shown_characters(workspace_));
   lacks_characters_ = characters_.size() > known;
-  if (lacks_characters_) settle(2);
 }
 
 glm::ivec2 Viewer::device_size() const {
@@ -82,13 +93,13 @@ glm::ivec2 Viewer::device_size() const {
 }
 
 void Viewer::resize(glm::ivec2 logical_size) {
-  if (options_.size != logical_size) settle(3);  // panels need some frames to compute their sizes
+  if (options_.size != logical_size) settle_panels();
   options_.size = logical_size;
   place_viewport();
 }
 
 void Viewer::drop(std::vector<fs::path> files) {
-  workspace_.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::dropped, std::move(files)};
+  workspace_.jobs.wishes.open({files::OpenRequest::What::dropped, std::move(files)});
 }
 
 void Viewer::place_viewport() {
@@ -99,67 +110,111 @@ void Viewer::place_viewport() {
   view.viewport = workspace::viewport_of(view.split, whole, view.split.active);
 }
 
-void Viewer::frame(float seconds) {
-  base::Stopwatch whole;
-  last_frame_ = base::wall_seconds();
-  refines_ = !changing() && wants_refinement();
-  workspace::FrameTimes times;
-  take_input(seconds);
-  take_requests();
-  workspace::follow_time(workspace_, seconds);
-  workspace::follow_pins(workspace_);
-  follow_document();
-  scope_messages();
-  deform(times);
-  if (std::exchange(workspace_.jobs.requests.frame_finding, false)) workspace::frame_finding(workspace_);
-  const bool new_fields = follow_fields(), inspected = analysis_.follow_vertex(workspace_, model_);
-  if (new_fields || inspected) settle(2);
-  const bool cage_moved =
-      workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
-  auto& view = workspace_.view;
-  const std::pair shown(workspace_.panels.has_user, view.tools);
-  // A screenshot without panels shows no notices and no tools.
-  if (take_screenshot_ && !view.options.panels) workspace_.panels.has_user = view.tools = false;
-  upload(times);
-  panels(times);
-  const bool camera_moved = std::exchange(camera_seen_, view.camera.pose()) != view.camera.pose();
-  moves_ = camera_moved || deformed_ || cage_moved;
-  draw(times);
-  std::tie(workspace_.panels.has_user, view.tools) = shown;
-  times.frame = whole.lap_ms();
-  times.when = base::wall_seconds();
-  const bool counts = deformed_ ? !model_.prepared() && !refines_ : camera_moved;
-  if (counts) view.split.views[0].stats.add(times);
-  files_.keep(workspace_, !pointer_.active());
-  follow_notices();
-  analysis_.follow_frame(workspace_, model_, moves_);
-  const bool news = analysis_.shows_news(), measured = sides_.measure(workspace_);
-  if (news || measured) settle(2);
-  if (take_screenshot_) save_screenshot();
-  if (settle_frames_ > 0) --settle_frames_;
+// The frame, from input to picture. The activities after the picture keep and measure what it shows.
+std::vector<Activity> Viewer::list_of_activities() {
+  workspace::Workspace& w = workspace_;
+  const document::Document& document = w.document;
+  const auto always = [](auto act) {
+    return [act] {
+      act();
+      return false;
+    };
+  };
+  return {
+      {"input", [&] { return now_if(!input_.empty() || w.view.camera.moving() || lacks_characters_); },
+       [this] { return take_input(); }},
+      {"wishes", [&] { return now_if(!w.jobs.wishes.empty()); }, [this] { return grant_wishes(); }},
+      {"files", [&] { return now_if(files_.is_due(w, may_edit())); },
+       [&] {
+         const bool news = files_.follow(w, may_edit());
+         apply_opened();
+         return news;
+       }},
+      {"cage generation", [&] { return cages_.due_in(w, may_edit()); },
+       [&] { return cages_.follow(w, may_edit()); }},
+      {"timeline", [&] { return now_if(workspace::time_is_due(w)); },
+       always([this] { workspace::follow_time(workspace_, seconds_); })},
+      {"pins", [&] { return now_if(w.frame.pins.is_due()); },
+       always([this] { workspace::follow_pins(workspace_); })},
+      {"cage edit", [&] { return now_if(!w.view.interaction.drag && document::has_moved_rest(document)); },
+       [this] { return commit_cage_edit(); }},
+      {"binding", [&] { return now_if(model_.binding_is_due(document)); }, [this] { return bind(); }},
+      {"checks", [&] { return now_if(checks_.is_due(w)); }, [&] { return checks_.follow(w); }},
+      {"report", [&] { return now_if(report_.is_due()); }, [&] { return report_.follow(w); }},
+      {"messages", [&] { return base::seconds_until(w.messages.next_end()); },
+       [this] { return scope_messages(); }},
+      {"deformation", [&] { return now_if(model_.frame_is_due(document) && !changes_rest(w)); },
+       [this] { return deform(); }},
+      {"side views", [&] { return now_if(sides_.is_due(w, model_)); }, always([this] {
+         deformed_ |= sides_.follow(workspace_, model_);
+         workspace_.frame.posed = posed_in(workspace_.view.split.active);
+       })},
+      {"maps", [this] { return now_if(field_is_due()); }, [this] { return follow_fields(); }},
+      {"vertex inspector", [&] { return now_if(inspector_.is_due(w, model_)); },
+       [&] { return inspector_.follow(w, model_); }},
+      {"buffers", [this] { return now_if(cage_moved()); }, always([this] { upload(); })},
+      {"panels", [this] { return now_if(settling_.is_due() || notices_drawn_ != notices()); },
+       always([this] { draw_panels(); })},
+      {"picture", [this] { return refinement_in(); }, always([this] { draw(); })},
+      {"times", [] { return base::never; }, always([this] {
+         show_tools();
+         add_times();
+       })},
+      {"recovery and preferences", [&] { return now_if(may_edit() && files_.keeps(w)); },
+       always([this] { files_.keep(workspace_, may_edit()); })},
+      {"methods", [&] { return measuring_.due_in(w, model_); },
+       [&] { return measuring_.follow(w, model_, moves_); }},
+      {"errors of views", [&] { return sides_.measuring_in(w); }, [&] { return sides_.measure(w); }},
+      {"progress", [this] { return progress_in(); }, [] { return false; }},
+      {"screenshot", [this] { return now_if(take_screenshot_); }, [this] { return save_screenshot(); }},
+  };
 }
 
-void Viewer::take_input(float seconds) {
+std::string Viewer::due_activity() const {
+  for (const Activity& activity : activities_)
+    if (activity.due_in() <= 0) return activity.name;
+  return "";
+}
+
+void Viewer::frame(float seconds) {
+  watch_ = {};
+  last_frame_ = base::wall_seconds();
+  seconds_ = seconds;
+  times_ = {};
+  refines_ = wants_refinement();
+  bool changes_panels = false;
+  for (const Activity& activity : activities_) changes_panels |= activity.step();
+  if (changes_panels) settle_panels();
+}
+
+bool Viewer::take_input() {
+  const bool input = !input_.empty() || lacks_characters_;
   place_viewport();
   if (theme_seen_ != workspace_.view.options.dark) ui::apply_style(workspace_.view.options.dark);
   theme_seen_ = workspace_.view.options.dark;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(options_.size.x), static_cast<float>(options_.size.y)};
   io.DisplayFramebufferScale = {options_.scale, options_.scale};
-  io.DeltaTime = std::max(seconds, 1e-4f);
-  if (!input_.empty()) settle(3);
+  io.DeltaTime = std::max(seconds_, 1e-4f);
   input_.feed_frame();
   if (lacks_characters_) load_fonts();
   ImGui::NewFrame();
   enter_view_under_cursor();
   ui::handle_input(workspace_, pointer_);
-  workspace_.view.camera.animate(seconds);
+  workspace_.view.camera.animate(seconds_);
   place_viewport();
+  return input;
 }
 
-// True if the view has been at rest for some time, but was drawn with fewer samples than possible.
+// The seconds until the view has been at rest for some time. Never if it was drawn with the most samples.
+double Viewer::refinement_in() const {
+  return view_.fineness() < view_.finest() ? base::seconds_until(last_change_ + still_seconds) : base::never;
+}
+
+// A refined picture is drawn when nothing else changes the picture.
 bool Viewer::wants_refinement() const {
-  return view_.fineness() < view_.finest() && base::wall_seconds() - last_change_ > still_seconds;
+  const auto picture = std::ranges::find(activities_, std::string_view("picture"), &Activity::name);
+  return picture->due_in() <= 0 && app::due_in({activities_.begin(), picture}) > 0;
 }
 
 bool Viewer::keeping() const {
@@ -170,16 +225,10 @@ bool Viewer::finish_keeping() {
   return workspace::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
 }
 
-// Messages and questions need a few frames to compute their sizes.
-void Viewer::follow_notices() {
-  const std::tuple now(workspace_.files.question.has_value(), workspace_.messages.revision(),
-                       workspace_.panels.notice_height);
-  if (std::exchange(notices_, now) != now) settle(3);
-}
-
 // Removes messages about a replaced model or cage. Hides messages whose time has ended.
-void Viewer::scope_messages() {
+bool Viewer::scope_messages() {
   auto& messages = workspace_.messages;
+  const bool ends = messages.next_end() <= base::wall_seconds();
   const auto& now = workspace_.document.revisions();
   if (now.surfaces != message_revisions_.surfaces) {
     messages.forget(workspace::Scope::model, message_revision_);
@@ -189,103 +238,105 @@ void Viewer::scope_messages() {
   message_revisions_ = now;
   message_revision_ = messages.revision();
   messages.expire(base::wall_seconds());
+  return ends;
 }
 
-bool Viewer::wants_frame() const {
-  constexpr double progress_seconds = 0.05;
-  const bool reports = files_.loading() || files_.exporting() || model_.binding() ||
-                       sides_.binding(workspace_) || cages_.running() || analysis_.reports();
-  const double passed = base::wall_seconds() - last_frame_;
-  if (reports && passed > progress_seconds) return true;
-  if (workspace_.files.browser.open && passed > 1) return true;  // files on disk may have changed
-  return changing() || files_.has_news() || model_.has_result() ||
-         (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
-         analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
+bool Viewer::grant_wishes() {
+  workspace::Wishes& wishes = workspace_.jobs.wishes;
+  const bool any = !wishes.empty();
+  while (!wishes.empty()) std::visit([this](const auto& wish) { grant(wish); }, wishes.take());
+  return any;
 }
 
-bool Viewer::changing() const {
-  const document::Document& document = workspace_.document;
-  const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
-  return settle_frames_ > 0 || !input_.empty() || workspace_.view.camera.moving() || cage_moved ||
-         workspace_.playback.playing || workspace_.frame.pins.is_due() || model_.is_due(document) ||
-         sides_.is_due(workspace_, model_) || field_is_due() || analysis_.vertex_is_due(workspace_, model_);
-}
-
-void Viewer::show_manual(const std::string& chapter) {
+void Viewer::grant(const workspace::ShowManual& wish) {
   try {
-    open_in_browser(manual_page(chapter));
+    open_in_browser(manual_page(wish.chapter));
     workspace_.messages.succeeded("manual");
   } catch (const base::Error& error) {
     workspace_.messages.error(base::message_of(error), {"manual"});
   }
 }
 
-void Viewer::take_requests() {
-  auto& requests = workspace_.jobs.requests;
-  if (const auto chapter = std::exchange(requests.manual, std::nullopt)) show_manual(*chapter);
-  files_.take_requests(workspace_, !pointer_.active());
-  take_screenshot_ = std::exchange(requests.screenshot, false);
-  if (requests.stop_work && cages_.running()) {
-    cages_.stop(workspace_);
-    settle(3);
-  }
-  cages_.follow(workspace_, !pointer_.active());
-  if (std::exchange(requests.stop_work, false) && model_.binding()) {
-    model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", workspace::Severity::info);
-    settle(3);
+void Viewer::grant(const workspace::CancelWork& wish) {
+  using Work = workspace::CancelWork::Work;
+  switch (wish.work) {
+    case Work::exporting: return files_.cancel_export();
+    case Work::report: return report_.cancel();
+    case Work::opening:
+      files_.cancel_opening();
+      cages_.stop(workspace_);
+      if (model_.binding())
+        model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", workspace::Severity::info);
+      return;
   }
 }
 
-void Viewer::follow_document() {
+// Gives each part of opened files to its owner.
+void Viewer::apply_opened() {
+  auto loaded = files_.take_opened();
+  if (!loaded) return;
+  if (loaded->shading.surface) shading_ = std::move(loaded->shading);
+  if (loaded->bound.binding) opened_bound_ = std::move(loaded->bound);
+  workspace::apply_opened(workspace_, std::move(loaded->opened));
+}
+
+bool Viewer::bind() {
   const document::Document& document = workspace_.document;
-  commit_cage_edit();
-  if (model_.is_due(document) || model_.has_result()) settle(3);
-  const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
-  if (changed.document || changed.cage) {
-    fields_.forget();
-    sides_.forget();
-    for (workspace::SplitView& side : workspace_.view.split.sides()) side.shown = {}, side.stats.clear();
-    workspace_.view.interaction.hovered.reset();
-    if (files_.shading().surface != document.model.surface)
-      files_.shading() = shading_of(document.model, workspace_.about.moving_triangles);
-    for (const std::string& warning : std::exchange(files_.shading().looks.warnings, {}))
-      workspace_.messages.warn(warning, {.scope = workspace::Scope::model});
-    if (changed.document) renderer_.set_document(document, files_.shading());
-    if (changed.cage && !changed.document) {
-      workspace::forget_findings(workspace_.checks);
-      renderer_.set_another_cage(document, files_.shading());
-    }
-    cage_drawn_.reset();
-  }
-  analysis_.follow_document(workspace_);
-  if (analysis_.shows_news()) settle(3);
+  const bool due = model_.binding_is_due(document);
+  Bound known = std::exchange(opened_bound_, {});
+  if (!known.binding) known = cages_.take_bound();
+  const auto draft = shading_.surface == document.model.surface ? shading_.draft : nullptr;
+  const LiveModel::Changed changed = model_.follow(workspace_, draft, std::move(known));
+  if (changed.document || changed.cage) show_new_surfaces(changed);
+  return due;
 }
 
-void Viewer::commit_cage_edit() {
-  if (workspace_.view.interaction.drag) return;
+void Viewer::show_new_surfaces(LiveModel::Changed changed) {
+  const document::Document& document = workspace_.document;
+  fields_.forget();
+  sides_.forget();
+  for (workspace::SplitView& side : workspace_.view.split.sides()) {
+    side.shown = {};
+    side.stats.clear();
+  }
+  workspace_.view.interaction.hovered.reset();
+  if (shading_.surface != document.model.surface)
+    shading_ = shading_of(document.model, workspace_.about.moving_triangles);
+  for (const std::string& warning : std::exchange(shading_.looks.warnings, {}))
+    workspace_.messages.warn(warning, {.scope = workspace::Scope::model});
+  if (changed.document) {
+    renderer_.set_document(document, shading_);
+  } else {
+    workspace::forget_findings(workspace_.checks);
+    renderer_.set_another_cage(document, shading_);
+  }
+  cage_drawn_.reset();
+}
+
+bool Viewer::commit_cage_edit() {
+  if (workspace_.view.interaction.drag || !document::has_moved_rest(workspace_.document)) return false;
   try {
-    if (!document::commit_cage_edit(workspace_.document)) return;
+    document::commit_cage_edit(workspace_.document);
     workspace_.messages.succeeded("change the cage");
-    settle(3);
   } catch (const std::exception& error) {
     workspace_.messages.error(base::message_of(error), {"change the cage", workspace::Scope::cage});
   }
+  return true;
 }
 
 void Viewer::finish_binding() {
-  follow_document();
+  bind();
   model_.finish_binding(workspace_);
 }
 
 void Viewer::finish_checks() {
-  follow_document();
-  analysis_.finish_checks(workspace_);
+  bind();
+  checks_.finish(workspace_);
 }
 
-void Viewer::deform(workspace::FrameTimes& times) {
-  deformed_ = may_draft() ? model_.deform_draft(workspace_, times) : model_.deform(workspace_, times);
-  deformed_ |= sides_.follow(workspace_, model_);
-  workspace_.frame.posed = posed_in(workspace_.view.split.active);
+bool Viewer::deform() {
+  deformed_ = may_draft() ? model_.deform_draft(workspace_, times_) : model_.deform(workspace_, times_);
+  return deformed_;
 }
 
 // True if the view may show only the draft in motion, until it is refined. Maps, the vertex inspector and
@@ -367,21 +418,23 @@ void Viewer::enter_view_under_cursor() {
     workspace::enter_view(workspace_, workspace::view_at(view.split, view.viewport, {at.x, at.y}));
 }
 
-void Viewer::upload(workspace::FrameTimes& times) {
+void Viewer::upload() {
   const document::Document& document = workspace_.document;
+  moves_ = deformed_ || cage_moved();
+  if (take_screenshot_ && !workspace_.view.options.panels) hide_tools();
   if (!document.model.surface) return;
   base::Stopwatch watch;
-  const bool cage_moved = cage_drawn_ != document.revisions().pose;
+  const bool moved = cage_drawn_ != document.revisions().pose;
   const bool at_rest = !workspace_.view.options.deformed,
              switched = std::exchange(at_rest_, at_rest) != at_rest;
-  renderer_.set_findings(workspace_, posed_in(0), deformed_ || cage_moved || switched);
+  renderer_.set_findings(workspace_, posed_in(0), deformed_ || moved || switched);
   if (document.has_cage()) {
-    if (cage_moved) renderer_.set_cage(workspace_);
+    if (moved) renderer_.set_cage(workspace_);
     renderer_.set_hand(workspace_);
     cage_drawn_ = document.revisions().pose;
   }
-  if (switched && at_rest) renderer_.set_rest(document, files_.shading());
-  renderer_.set_views(workspace_.view.split.count(), document, files_.shading());
+  if (switched && at_rest) renderer_.set_rest(document, shading_);
+  renderer_.set_views(workspace_.view.split.count(), document, shading_);
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view) {
     const bool news = view == 0 ? model_.take_news() : sides_[view - 1].take_news();
     const document::PosedModel posed = posed_in(view);
@@ -391,19 +444,21 @@ void Viewer::upload(workspace::FrameTimes& times) {
   if (const deform::Deformer* draft = model_.take_draft())
     renderer_.set_draft(draft->vertices(), draft->origin());
   renderer_.set_colors(workspace_);
-  times.upload = watch.lap_ms();
+  times_.upload = watch.lap_ms();
 }
 
-void Viewer::panels(workspace::FrameTimes& times) {
+void Viewer::draw_panels() {
   base::Stopwatch watch;
   const double begun = base::thread_seconds();
   recorder_.begin_frame();
   ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.options.dark), &recorder_, field_colors_});
   follow_characters();
   ImGui::Render();
-  times.panels = watch.lap_ms();
-  times.cost.longest += base::thread_seconds() - begun;
-  times.cost.wall += 1e-3 * times.panels;
+  settling_.add(imgui_renderer_.has_drawn(*ImGui::GetDrawData()));
+  notices_drawn_ = notices();
+  times_.panels = watch.lap_ms();
+  times_.cost.longest += base::thread_seconds() - begun;
+  times_.cost.wall += 1e-3 * times_.panels;
 }
 
 // Continuous motion may be drawn coarsely. A single step of a model without a draft is drawn completely.
@@ -412,7 +467,7 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (view_.shows(wanted)) return view_.fineness();
   last_change_ = base::wall_seconds();
   if (model_.shows_draft(workspace_.document)) return Fineness::coarse;
-  const bool drafted = files_.shading().draft != nullptr;
+  const bool drafted = shading_.draft != nullptr;
   const bool coarse =
       drafted || (last_frame_ - last_motion_ < still_seconds && workspace::draws_coarsely(workspace_));
   return options_.may_be_coarse && moves_ && coarse ? Fineness::coarse : Fineness::plain;
@@ -430,15 +485,17 @@ render::Image Viewer::picture() {
   return image;
 }
 
-void Viewer::draw(workspace::FrameTimes& times) {
+void Viewer::draw() {
   base::Stopwatch watch;
+  camera_moved_ = std::exchange(camera_seen_, workspace_.view.camera.pose()) != workspace_.view.camera.pose();
+  moves_ |= camera_moved_;
   has_drawn_ = false;
   const ViewDrawing wanted = drawing();
   has_drawn_ = view_.draw(renderer_, wanted, fineness(wanted), workspace::draws_coarsely(workspace_)) ||
                !imgui_renderer_.has_drawn(*ImGui::GetDrawData());
   if (has_drawn_) draw_whole();
   if (moves_) last_motion_ = base::wall_seconds();
-  times.draw = watch.lap_ms();
+  times_.draw = watch.lap_ms();
 }
 
 void Viewer::draw_whole() {
@@ -452,13 +509,13 @@ void Viewer::redraw() {
   renderer_.forget();
   view_.forget();
   cage_drawn_.reset();
-  workspace::FrameTimes ignored;
-  upload(ignored);
+  upload();
   view_.draw(renderer_, drawing(), view_.fineness(), workspace::draws_coarsely(workspace_));
   draw_whole();
 }
 
-void Viewer::save_screenshot() {
+bool Viewer::save_screenshot() {
+  if (!std::exchange(take_screenshot_, false)) return false;
   char name[64];
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -473,7 +530,33 @@ void Viewer::save_screenshot() {
   } catch (const std::exception& error) {
     workspace_.messages.error(base::message_of(error), {"screenshot"});
   }
-  settle(2);
+  return true;
+}
+
+// A screenshot without panels shows no notices and no tools.
+void Viewer::hide_tools() {
+  tools_hidden_from_ = {workspace_.panels.has_user, workspace_.view.tools};
+  workspace_.panels.has_user = workspace_.view.tools = false;
+}
+
+void Viewer::show_tools() {
+  if (const auto before = std::exchange(tools_hidden_from_, std::nullopt))
+    std::tie(workspace_.panels.has_user, workspace_.view.tools) = *before;
+}
+
+void Viewer::add_times() {
+  times_.frame = watch_.lap_ms();
+  times_.when = base::wall_seconds();
+  const bool counts = deformed_ ? !model_.prepared() && !refines_ : camera_moved_;
+  if (counts) workspace_.view.split.views[0].stats.add(times_);
+}
+
+// Running work shows its progress. A file dialog shows files that other programs have changed.
+double Viewer::progress_in() const {
+  constexpr double progress_seconds = 0.05, folder_seconds = 1;
+  if (working() || checks_.running() || report_.running())
+    return base::seconds_until(last_frame_ + progress_seconds);
+  return workspace_.files.browser.open ? base::seconds_until(last_frame_ + folder_seconds) : base::never;
 }
 
 }  // namespace viete::app

@@ -1,16 +1,20 @@
 // The viewer: computes one frame, from input to picture. The window, tests and command line use it.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <set>
-#include <tuple>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "app/analysis.h"
+#include "app/activity.h"
 #include "app/cage_maker.h"
 #include "app/field_maker.h"
 #include "app/file_desk.h"
+#include "app/method_measuring.h"
+#include "app/report_maker.h"
+#include "app/surface_checks.h"
+#include "app/vertex_inspector.h"
 #include "app/view_model.h"
 #include "app/workspace_renderer.h"
 #include "platform/imgui_renderer.h"
@@ -35,9 +39,35 @@ struct ViewerOptions {
   std::filesystem::path state{};  ///< folder for preferences and backups, see FileDesk; may be empty
   std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which runs as a child process
   std::size_t moving_triangles = 2'000'000;  ///< larger models have drafts; GPUs have four times this limit
+  base::Wake wake{};  ///< called by other threads when background work has ended; may be null
 };
 
-/// Needs a current OpenGL context, which must outlive the viewer. Use only in the context's thread.
+/// ImGui needs several frames to compute the sizes of changed panels. Frames are drawn until two in a row
+/// have the same panels as the frame before.
+class Settling {
+public:
+  bool is_due() const { return left_ > 0; }
+  /// Begins again, after a change of panels.
+  void begin() { *this = {}; }
+  /// Call in each frame. `equal`: the frame has the same panels as the frame before.
+  void add(bool equal) {
+    constexpr int enough = 2;
+    equal_ = equal ? equal_ + 1 : 0;
+    if (!equal && left_ == 0 && !gave_up_) left_ = most;
+    if (left_ == 0) return;
+    left_ = equal_ < enough ? left_ - 1 : 0;
+    gave_up_ = left_ == 0 && equal_ < enough;
+  }
+
+private:
+  static constexpr int most = 16;  // the background of a dialog fades in for 10 frames
+  int left_ = most;                // frames still to draw
+  int equal_ = 0;                  // number of last frames with equal panels
+  bool gave_up_ = false;           // the panels changed in all frames
+};
+
+/// A frame runs a list of activities in a fixed order; a new frame is wanted when an activity is due. Needs a
+/// current OpenGL context, which must outlive the viewer. Use only in the context's thread.
 class Viewer {
 public:
   Viewer(const render::Gl& gl, const ViewerOptions& options);
@@ -56,17 +86,24 @@ public:
   /// Handles input and commands, deforms the model, and draws the view and the panels into the framebuffer.
   /// `seconds` is the time since the last frame.
   void frame(float seconds);
+  /// The seconds until a new frame would differ from the last frame; base::never without further input.
+  double due_in() const { return app::due_in(activities_); }
   /// True if a new frame would differ from the last frame.
-  bool wants_frame() const;
+  bool wants_frame() const { return due_in() <= 0; }
+  /// The name of an activity that is due, or an empty string.
+  std::string due_activity() const;
   /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
   /// The number of frames that drew the view, not only the panels.
   unsigned long views_drawn() const { return view_.count(); }
   Fineness view_fineness() const { return view_.fineness(); }
+  /// Draws the next frames until the sizes of panels settle. Call after a change of the workspace without
+  /// input.
+  void settle_panels() { settling_.begin(); }
   /// Draws the last frame again without cached pictures.
   void redraw();
   /// Measures every method in this pose and waits for the results.
-  void finish_measuring() { analysis_.finish_measuring(workspace_, model_); }
+  void finish_measuring() { measuring_.finish(workspace_, model_); }
   /// True if there are unsaved edits and their backup has finished.
   bool keeping() const;
   /// Waits for the backup of unsaved edits. Returns false if there are no unsaved edits or the backup fails.
@@ -75,21 +112,21 @@ public:
   bool closed() const { return files_.closed(); }
   /// True while files are read and bound in the background.
   bool loading() const { return files_.loading(); }
-  bool exporting() const {
-    return files_.exporting() || workspace_.jobs.requests.save_model ||
-           workspace_.jobs.requests.save_animation;
-  }
+  bool exporting() const { return files_.exporting() || workspace_.jobs.wishes.find<workspace::SaveFile>(); }
   /// True while work for which the user waits is running in the background.
   bool working() const {
     return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
   }
   /// Waits until files are read, and applies the result.
-  void finish_loading() { files_.finish_loading(workspace_); }
+  void finish_loading() {
+    files_.finish_loading(workspace_);
+    apply_opened();
+  }
   void finish_exports() { files_.finish_exports(workspace_); }
   /// Waits for the binding. The next frame deforms the model.
   void finish_binding();
   /// True while model and cage are being checked in the background.
-  bool checking() const { return analysis_.checking(); }
+  bool checking() const { return checks_.running(); }
   void finish_checks();
   /// Waits until all views and their maps show the current pose.
   void finish_views();
@@ -101,17 +138,25 @@ public:
   const deform::Deformer* deformer() const { return model_.deformer(); }
 
 private:
-  bool changing() const;
-  bool wants_refinement() const;
-  void settle(unsigned frames) { settle_frames_ = std::max(settle_frames_, frames); }
-  void take_input(float seconds);
-  void take_requests();
-  void show_manual(const std::string& chapter);
-  void follow_document();
-  void commit_cage_edit();
-  void scope_messages();
-  void follow_notices();
-  void deform(workspace::FrameTimes& times);
+  std::vector<Activity> list_of_activities();
+  bool take_input();
+  bool grant_wishes();
+  void grant(const workspace::OpenFiles& wish) { files_.open(workspace_, wish.request); }
+  void grant(const workspace::SaveFile& wish) { files_.save(workspace_, wish); }
+  void grant(const workspace::CancelWork& wish);
+  void grant(const workspace::AnswerQuestion& wish) { files_.answer(workspace_, wish.answer); }
+  void grant(const workspace::ShowManual& wish);
+  void grant(const workspace::ShowReport&) { report_.start(); }
+  void grant(const workspace::SaveScreenshot&) { take_screenshot_ = true; }
+  void grant(const workspace::FrameFinding&) { workspace::frame_finding(workspace_); }
+  void grant(const workspace::CloseProgram&) { files_.close(workspace_); }
+  bool may_edit() const { return !pointer_.active(); }
+  void apply_opened();
+  bool bind();
+  void show_new_surfaces(LiveModel::Changed changed);
+  bool commit_cage_edit();
+  bool scope_messages();
+  bool deform();
   bool may_draft() const;
   void enter_view_under_cursor();
   const ViewModel& model_of(std::size_t view) const;
@@ -120,15 +165,24 @@ private:
   bool follow_fields();
   bool field_is_due() const;
   void share_ranges();
-  void upload(workspace::FrameTimes& times);
-  void draw(workspace::FrameTimes& times);
+  bool cage_moved() const {
+    return workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
+  }
+  void upload();
+  void draw_panels();
+  void draw();
   Fineness fineness(const ViewDrawing& wanted);
   void draw_whole();
-  void panels(workspace::FrameTimes& times);
+  void hide_tools();
+  void show_tools();
+  void add_times();
+  double refinement_in() const;
+  bool wants_refinement() const;
   void load_fonts();
   void follow_characters();
   void place_viewport();
-  void save_screenshot();
+  bool save_screenshot();
+  double progress_in() const;
 
   const render::Gl& gl_;
   ViewerOptions options_;
@@ -141,8 +195,13 @@ private:
   LiveModel model_;
   CageMaker cages_;
   SideViews sides_;
-  Analysis analysis_;
+  ReportMaker report_;
+  SurfaceChecks checks_;
+  MethodMeasuring measuring_;
+  VertexInspector inspector_;
   FieldMaker fields_;
+  ModelShading shading_;  // of the open model
+  Bound opened_bound_;    // the binding of the last opened files, until the next frame
   workspace::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
@@ -155,19 +214,42 @@ private:
   ViewCache view_;
   ui::FieldColors field_colors_;
 
-  std::tuple<bool, unsigned, float> notices_;  ///< the values that follow_notices() found in the last frame
-  document::Revisions message_revisions_;      ///< revisions of the document in the last frame
+  std::vector<Activity> activities_;
+  Settling settling_;
+
+  // Panels that changes between two frames can affect.
+  struct Notices {
+    bool question = false;
+    unsigned messages = 0;
+    float height = 0;
+    friend bool operator==(const Notices&, const Notices&) = default;
+  };
+  Notices notices() const {
+    return {workspace_.files.question.has_value(), workspace_.messages.revision(),
+            workspace_.panels.notice_height};
+  }
+  Notices notices_drawn_;
+
+  document::Revisions message_revisions_;  // revisions of the document in the last frame
   unsigned message_revision_ = 0;
-  std::optional<document::Revision> cage_drawn_;  ///< revision of the uploaded pose; nullopt: upload again
-  bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
-  double last_change_ = 0, last_frame_ = 0;  ///< clock times in seconds: last change, last frame
-  double last_motion_ = 0;                   ///< clock time in seconds of the last picture with motion
-  bool refines_ = false, moves_ = false;     ///< this frame: refines the view, shows motion
-  unsigned settle_frames_ = 3;               ///< frames still to draw, until ImGui has computed all sizes
+  std::optional<document::Revision> cage_drawn_;  // revision of the uploaded pose; nullopt: upload again
+  double last_change_ = 0, last_frame_ = 0;       // clock times in seconds: last change, last frame
+  double last_motion_ = 0;                        // clock time in seconds of the last picture with motion
   std::size_t views_seen_ = 1;
   std::optional<bool> theme_seen_;
   document::CameraPose camera_seen_;
-  bool at_rest_ = false;  ///< true: the view shows the model at rest
+  bool at_rest_ = false;  // true: the view shows the model at rest
+
+  // During a screenshot without panels, the values of Panels::has_user and View::tools to restore.
+  std::optional<std::pair<bool, bool>> tools_hidden_from_;
+
+  // The state of the current frame.
+  base::Stopwatch watch_;
+  float seconds_ = 0;  // time since the last frame
+  workspace::FrameTimes times_;
+  bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
+  bool refines_ = false;                       // the frame refines the view
+  bool camera_moved_ = false, moves_ = false;  // the frame shows a motion of the camera; any motion
 };
 
 }  // namespace viete::app

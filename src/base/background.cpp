@@ -34,6 +34,7 @@ void BackgroundQueue::serve() {
       lock.unlock();
       task();
     }  // destroys the finished task before the next task begins
+    if (wake_) wake_();
     lock.lock();
   }
 }

@@ -28,11 +28,15 @@ bool is_ready(const std::future<Value>& future, double seconds = 0) {
          future.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
+/// Called by a background thread when work has ended, so that a waiting main loop looks at the result.
+using Wake = std::function<void()>;
+
 /// Runs work on a second thread, in the order of the add() calls. If the system cannot create this thread,
 /// add() itself runs the work. Only one thread may call add(). The destructor waits for all work.
 class BackgroundQueue {
 public:
-  BackgroundQueue() = default;
+  /// `wake` may be null. It must be callable from any thread during the lifetime of the queue.
+  explicit BackgroundQueue(Wake wake = nullptr) : wake_(std::move(wake)) {}
   ~BackgroundQueue();
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
@@ -50,6 +54,7 @@ private:
   void push(std::function<void()> task);
   void serve();
 
+  Wake wake_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::function<void()>> tasks_;
@@ -94,7 +99,8 @@ public:
     bool stopped = false;
   };
 
-  BackgroundJob() = default;
+  /// See BackgroundQueue for `wake`.
+  explicit BackgroundJob(Wake wake = nullptr) : queue_(std::move(wake)) {}
   ~BackgroundJob() { cancel(); }
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;

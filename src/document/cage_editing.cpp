@@ -105,8 +105,12 @@ void end_cage_editing(Document& document) {
   document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
 }
 
+bool has_moved_rest(const Document& document) {
+  return is_editing_cage(document) && document.pose.positions != document.cage->surface.positions;
+}
+
 bool commit_cage_edit(Document& document) {
-  if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
+  if (!has_moved_rest(document)) return false;
   try {
     const Selection selection = document.selection;
     put_edited(document, with_positions(document.cage->surface, document.pose.positions), "");
@@ -114,9 +118,7 @@ bool commit_cage_edit(Document& document) {
     return true;
   } catch (const base::Error& error) {
     // Undoes the edit that moved the vertices, and later changes of the selection.
-    while (document.history.can_undo() && is_editing_cage(document) &&
-           document.pose.positions != document.cage->surface.positions)
-      undo(document);
+    while (document.history.can_undo() && has_moved_rest(document)) undo(document);
     throw base::Error("", "the result is not a valid cage: " + error.problem(), "the cage was not changed");
   }
 }

@@ -13,6 +13,8 @@ inline constexpr double fit_margin = 0.01;
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);
 
+/// True if an edit has moved vertices during cage editing, so that commit_cage_edit() has something to do.
+bool has_moved_rest(const Document& document);
 /// Call this after an edit that moved vertices. Makes the moved positions the cage's rest shape, as part of
 /// this edit. If no vertex moved, or outside cage editing, does nothing and returns false. If the new cage is
 /// invalid, undoes the edit and throws base::Error.

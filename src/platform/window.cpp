@@ -3,12 +3,16 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 #include <utility>
 
+#include "base/worker_pool.h"
 #include "platform/offscreen_context.h"
 
 namespace viete::platform {
@@ -42,6 +46,7 @@ bool display_is_named() {
 }
 
 volatile std::sig_atomic_t end_signal = 0;
+int end_pipe[2] = {-1, -1};  // the handler writes a byte; EndSignals reads it
 
 // The first signal acts as the close button. A second signal before the window reacts ends the program.
 void take_end_signal(int number) {
@@ -50,14 +55,38 @@ void take_end_signal(int number) {
     std::raise(number);
   }
   end_signal = 1;
+  (void)!write(end_pipe[1], "s", 1);
 }
 
-// If a signal is already ignored, as with nohup, the signal stays ignored.
-void listen_to_end_signals() {
-  for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
-    if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
+}  // namespace
+
+// Signals cannot end GLFW's wait for events, so a thread waits for the handler's byte and wakes the window.
+class EndSignals {
+public:
+  EndSignals() {
+    if (pipe(end_pipe) != 0) return;
+    thread_ = base::try_thread([] {
+      for (char byte = 's'; byte == 's' && read(end_pipe[0], &byte, 1) == 1;) Window::wake();
+    });
+    // If a signal is already ignored, as with nohup, the signal stays ignored.
+    for (const int number : {SIGTERM, SIGINT, SIGHUP})
+      if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
   }
-}
+  ~EndSignals() {
+    for (const int number : {SIGTERM, SIGINT, SIGHUP})
+      if (std::signal(number, SIG_DFL) == SIG_IGN) std::signal(number, SIG_IGN);
+    (void)!write(end_pipe[1], "e", 1);
+    if (thread_.joinable()) thread_.join();
+    for (int& end : end_pipe) close(std::exchange(end, -1));
+  }
+  EndSignals(const EndSignals&) = delete;
+  EndSignals& operator=(const EndSignals&) = delete;
+
+private:
+  std::jthread thread_;
+};
+
+namespace {
 
 GLFWwindow* open_window(glm::ivec2 size) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -165,6 +194,7 @@ Window::Window(GLFWwindow* handle, float scale) : handle_(handle), scale_(scale)
 }
 
 Window::~Window() {
+  end_signals_.reset();
   glfwDestroyWindow(handle_);
   glfwTerminate();
 }
@@ -215,7 +245,7 @@ void Window::listen(WindowEvents events) {
   });
   glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* w) { of(w).events_.exposed(); });
   glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* w, int, int) { of(w).events_.exposed(); });
-  listen_to_end_signals();
+  end_signals_ = std::make_unique<EndSignals>();
 }
 
 void Window::share_clipboard() {
@@ -235,12 +265,13 @@ void Window::share_clipboard() {
 #endif
 }
 
-void Window::poll_events() {
-  glfwPollEvents();
+void Window::wait_for_events(double seconds) {
+  if (seconds <= 0) return glfwPollEvents();
+  std::isinf(seconds) ? glfwWaitEvents() : glfwWaitEventsTimeout(seconds);
 }
 
-void Window::wait_for_events(double seconds) {
-  glfwWaitEventsTimeout(seconds);
+void Window::wake() {
+  glfwPostEmptyEvent();
 }
 
 bool Window::asked_to_close() {

@@ -17,7 +17,9 @@ struct GLFWwindow;
 
 namespace viete::platform {
 
-/// The functions that poll_events() and wait_for_events() call.
+class EndSignals;
+
+/// The functions that wait_for_events() calls.
 struct WindowEvents {
   std::function<void(InputEvent)> input;
   std::function<void(std::vector<std::filesystem::path>)> dropped;  ///< files dropped on the window
@@ -44,8 +46,11 @@ public:
   void listen(WindowEvents events);
   /// Connects the current ImGui context to the clipboard.
   void share_clipboard();
-  void poll_events();
+  /// Handles events. If there are none, waits until an event, wake() or a signal, at most this time. 0 does
+  /// not wait; infinity is allowed.
   void wait_for_events(double seconds);
+  /// Ends wait_for_events(). Any thread may call this while a window exists.
+  static void wake();
   /// True if the close button was clicked, or a signal arrived, since the last call.
   bool asked_to_close();
 
@@ -64,6 +69,7 @@ private:
   float scale_;
   std::unique_ptr<render::Gl> gl_;
   WindowEvents events_;
+  std::unique_ptr<EndSignals> end_signals_;
   std::string title_;
   struct Place {
     glm::ivec2 corner, size;

@@ -19,44 +19,43 @@ namespace {
 using Browser = workspace::FileBrowser;
 using Purpose = Browser::Purpose;
 using What = files::OpenRequest::What;
+using Content = workspace::SaveFile::Content;
 
-/// A purpose of the panel: a title, and a request to open or to save the chosen file.
+/// A purpose of the panel: a title, and what is opened from or saved to the chosen file.
 struct Task {
   Purpose purpose;
   const char* title;
   std::optional<What> open{};
-  std::optional<std::filesystem::path> workspace::Requests::*save = nullptr;
+  std::optional<Content> save{};
 };
 
-const Task tasks[] = {
-    {Purpose::model, "Open model or session", What::model},
-    {Purpose::cage, "Open cage", What::cage},
-    {Purpose::pose, "Open pose", What::pose},
-    {Purpose::poses, "Import poses from a file or its folder", What::poses},
-    {Purpose::shapes, "Import shapes from a file or its folder", What::shapes},
-    {Purpose::animation, "Import animation", What::animation},
-    {Purpose::locate_model, "Locate the session's model"},
-    {Purpose::locate_cage, "Locate the session's cage"},
-    {Purpose::save_session, "Save session", {}, &workspace::Requests::save_session},
-    {Purpose::save_pose, "Save pose", {}, &workspace::Requests::save_pose},
-    {Purpose::save_cage, "Save cage", {}, &workspace::Requests::save_cage},
-    {Purpose::save_model, "Export deformed mesh", {}, &workspace::Requests::save_model},
-    {Purpose::save_animation, "Export animation", {}, &workspace::Requests::save_animation}};
+const Task tasks[] = {{Purpose::model, "Open model or session", What::model},
+                      {Purpose::cage, "Open cage", What::cage},
+                      {Purpose::pose, "Open pose", What::pose},
+                      {Purpose::poses, "Import poses from a file or its folder", What::poses},
+                      {Purpose::shapes, "Import shapes from a file or its folder", What::shapes},
+                      {Purpose::animation, "Import animation", What::animation},
+                      {Purpose::locate_model, "Locate the session's model"},
+                      {Purpose::locate_cage, "Locate the session's cage"},
+                      {Purpose::save_session, "Save session", {}, Content::session},
+                      {Purpose::save_pose, "Save pose", {}, Content::pose},
+                      {Purpose::save_cage, "Save cage", {}, Content::cage},
+                      {Purpose::save_model, "Export deformed mesh", {}, Content::model},
+                      {Purpose::save_animation, "Export animation", {}, Content::animation}};
 
 const Task& task_of(Purpose purpose) {
   return *std::ranges::find(tasks, purpose, &Task::purpose);
 }
 
 void request(workspace::Workspace& w, Purpose purpose, const std::filesystem::path& path) {
-  workspace::Requests& requests = w.jobs.requests;
   const Task& task = task_of(purpose);
   if (task.open) {
-    requests.open = files::OpenRequest{*task.open, {path}};
+    w.jobs.wishes.open({*task.open, {path}});
   } else if (task.save) {
-    requests.*task.save = path;
-  } else if ((requests.open = std::exchange(w.files.unopened, std::nullopt))) {
-    auto& located = requests.open->located;
-    (purpose == Purpose::locate_model ? located.model : located.cage) = path;
+    w.jobs.wishes.save(*task.save, path);
+  } else if (auto request = std::exchange(w.files.unopened, std::nullopt)) {
+    (purpose == Purpose::locate_model ? request->located.model : request->located.cage) = path;
+    w.jobs.wishes.open(*std::move(request));
   }
 }
 
@@ -67,7 +66,7 @@ void ask(workspace::Workspace& w, const std::filesystem::path& path) {
   w.files.browser.asked = path;
 }
 
-// Shows a folder in the panel, or requests a file.
+// Shows a folder in the panel, or asks for a file.
 void choose(workspace::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return workspace::enter(w.files.browser, path);

@@ -78,7 +78,7 @@ void recovery_card(const Context& ui, const files::RecoveryFile& file, std::size
   const ImVec2 high{low.x + recovery_card_size.x, low.y + recovery_card_size.y};
   const bool free = !ui.workspace.jobs.loading.running;
   if (ImGui::InvisibleButton(id.c_str(), recovery_card_size) && free)
-    ui.workspace.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::recovery, {file.file}};
+    ui.workspace.jobs.wishes.open({files::OpenRequest::What::recovery, {file.file}});
   record(ui, id);
   card(ui, low, high, false);
   hint("Restore these edits.  Folder: " + file.folder.string());
@@ -281,7 +281,8 @@ void question_panel(const Context& ui) {
   if (!dialog) return;
   question_words(ui);
   const auto clicked = answer_row(ui), typed = answer_by_key(*ui.workspace.files.question);
-  ui.workspace.jobs.requests.answer = clicked ? clicked : typed;
+  if (const auto answer = clicked ? clicked : typed)
+    ui.workspace.jobs.wishes.add(workspace::AnswerQuestion{*answer});
 }
 
 namespace {

@@ -66,7 +66,7 @@ void recovered_edits(const Context& ui) {
     text_in(ui.colors.faint, files::when(kept.time));
     ImGui::SameLine(end);
     if (button(ui, "Restore", "preferences/restore/" + std::to_string(i), "Open these edits.", {76, 0})) {
-      w.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::recovery, {kept.file}};
+      w.jobs.wishes.open({files::OpenRequest::What::recovery, {kept.file}});
       w.panels.show_preferences = false;
     }
     ImGui::PopID();

@@ -503,7 +503,7 @@ std::string place_of(const workspace::RecentFile& recent) {
 
 void open_recent(workspace::Workspace& w, std::size_t index) {
   const workspace::RecentFile& file = w.preferences.recent[index];
-  w.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::model, {file.file, file.cage}};
+  w.jobs.wishes.open({files::OpenRequest::What::model, {file.file, file.cage}});
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {

@@ -149,9 +149,9 @@ void add_blend_commands(CommandTable& table) {
   table.add("show_report", {"Make report", "Make report"},
             "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "
             "about half a minute.",
-            is_not_reporting, [](Workspace& w) { w.jobs.requests.show_report = true; });
+            is_not_reporting, [](Workspace& w) { w.jobs.wishes.add(ShowReport{}); });
   table.add("stop_report", {"Cancel report", "Cancel"}, "Cancel the measurement. No report is written.",
-            is_reporting, passing([](Workspace& w) { w.jobs.requests.stop_report = true; }));
+            is_reporting, passing(cancel<CancelWork::Work::report>));
 }
 
 }  // namespace viete::workspace

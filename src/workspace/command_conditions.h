@@ -140,6 +140,12 @@ inline constexpr Condition has_posed_selection{[](const Workspace& w) {
                                                },
                                                "The selection is already at rest."};
 
+/// An effect that asks the program to cancel running work.
+template <CancelWork::Work work>
+void cancel(Workspace& w) {
+  w.jobs.wishes.add(CancelWork{work});
+}
+
 /// The effect of a command that toggles an option of the view.
 inline Effect switches(bool document::ViewOptions::*option) {
   return {[=](Workspace& w) { w.view.options.*option = !(w.view.options.*option); },

@@ -77,7 +77,7 @@ constexpr Condition can_export_animation{[](const Workspace& w) {
 
 void save(Workspace& w) {
   if (w.files.saved.session.empty()) return browse_to_save_session(w);
-  w.jobs.requests.save_session = w.files.saved.session;
+  w.jobs.wishes.save(SaveFile::Content::session, w.files.saved.session);
 }
 
 void browse_to_save_session(Workspace& w) {
@@ -98,18 +98,17 @@ void add_file_commands(CommandTable& table) {
             {key('O'), true}, always, browse_for_model);
   table.add("open_cage", "Open cage", "Open a cage for the model.", {key('O'), true, true}, has_model,
             [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
-  table.add(
-      "open_cage_beside", {"Open cage next to the model", "Open this cage"},
-      "Open the file in the model's folder that seems to be its cage.", has_cage_beside,
-      passing([](Workspace& w) {
-        w.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::cage, {w.document.cage_beside}};
-      }));
+  table.add("open_cage_beside", {"Open cage next to the model", "Open this cage"},
+            "Open the file in the model's folder that seems to be its cage.", has_cage_beside,
+            passing([](Workspace& w) {
+              w.jobs.wishes.open({files::OpenRequest::What::cage, {w.document.cage_beside}});
+            }));
   table.add("open_pose", "Open pose", "Open a posed version of the cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
   table.add("open_example", "Open example animation",
             "Open the dragon with poses and a five-second animation, and play it.", has_example,
             [](Workspace& w) {
-              w.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::model, {w.files.example}};
+              w.jobs.wishes.open({files::OpenRequest::What::model, {w.files.example}});
             });
   table.add("save_session", {"Save session", "Save"},
             "Save model, cage, pose, settings and camera in a session file.", {key('S'), true}, has_model,
@@ -127,16 +126,15 @@ void add_file_commands(CommandTable& table) {
             });
   table.add("stop_work", {"Cancel current task", "Cancel"},
             "Cancel the current task: opening a file, making a cage or binding. The document stays as it is.",
-            {Key::escape}, is_working, passing([](Workspace& w) { w.jobs.requests.stop_work = true; }));
+            {Key::escape}, is_working, passing(cancel<CancelWork::Work::opening>));
   table.add("stop_export", {"Cancel export", "Cancel"},
             "Stop the export. Each file is either complete or unchanged.", is_exporting,
-            passing([](Workspace& w) { w.jobs.requests.stop_export = true; }));
+            passing(cancel<CancelWork::Work::exporting>));
   table.add("restore_leftover", {"Restore recovered edits", "Restore"},
             "Open the most recent recovered edits.", {key('B'), true}, has_recovery_files,
             passing([](Workspace& w) {
               if (!std::exchange(w.recovery.offered, true)) return;
-              w.jobs.requests.open =
-                  files::OpenRequest{files::OpenRequest::What::recovery, {w.recovery.offers().front().file}};
+              w.jobs.wishes.open({files::OpenRequest::What::recovery, {w.recovery.offers().front().file}});
             }));
   table.add("discard_leftovers", {"Discard recovered edits", "Discard"},
             "Delete the listed recovered edits permanently.", offers_recovery, passing([](Workspace& w) {
@@ -146,9 +144,9 @@ void add_file_commands(CommandTable& table) {
             "Hide this row. The next start offers the recovered edits again.", offers_recovery,
             passing([](Workspace& w) { w.recovery.offered = false; }));
   table.add("screenshot", {"Save screenshot", "Screenshot"}, "Save a picture of the window as PNG.",
-            {Key::f12}, always, [](Workspace& w) { w.jobs.requests.screenshot = true; });
+            {Key::f12}, always, [](Workspace& w) { w.jobs.wishes.add(SaveScreenshot{}); });
   table.add("quit", "Quit", "Close Viete.", {key('Q'), true}, always,
-            [](Workspace& w) { w.jobs.requests.quit = true; });
+            [](Workspace& w) { w.jobs.wishes.add(CloseProgram{}); });
 }
 
 void add_animation_file_commands(CommandTable& table) {

@@ -10,10 +10,11 @@ namespace viete::workspace {
 
 namespace {
 
-bool is_over(const Message& message, double now) {
-  if (!message.visible || message.severity == Severity::error) return false;
+// The time at which the message is hidden.
+double end_of(const Message& message) {
+  if (!message.visible || message.severity == Severity::error) return base::never;
   const bool info = message.severity == Severity::info;
-  return now - message.said > (info ? Messages::info_seconds : Messages::warning_seconds);
+  return message.said + (info ? Messages::info_seconds : Messages::warning_seconds);
 }
 
 using Asked = Question::Kind;
@@ -63,13 +64,15 @@ void Messages::forget(Scope scope, unsigned revision) {
   std::erase_if(all_, [&](const Message& m) { return m.scope >= scope && m.revision <= revision; });
 }
 
-bool Messages::due(double now) const {
-  return std::ranges::any_of(all_, [&](const Message& m) { return is_over(m, now); });
+double Messages::next_end() const {
+  double next = base::never;
+  for (const Message& message : all_) next = std::min(next, end_of(message));
+  return next;
 }
 
 void Messages::expire(double now) {
   for (Message& message : all_) {
-    if (is_over(message, now)) message.visible = false;
+    if (end_of(message) <= now) message.visible = false;
   }
 }
 

@@ -52,8 +52,8 @@ public:
   /// Scope::cage: removes messages about the cage. Scope::model: also removes messages about the model. Keeps
   /// messages that were added after this revision.
   void forget(Scope scope, unsigned revision);
-  /// True if the time of a visible message has ended.
-  bool due(double now) const;
+  /// The time at which the next message must be hidden, on the wall clock in seconds; or base::never.
+  double next_end() const;
   void expire(double now);
 
   const std::vector<Message>& all() const { return all_; }

@@ -74,12 +74,16 @@ void leave_for(Workspace& w, double frame) {
   see(w);
 }
 
+// True if there are edits that follow_edits() has not seen. Waits for the end of a drag, except of keys.
+bool has_unseen_edits(const Workspace& w) {
+  const bool moves_keys = w.view.time.drag.has_value();  // show dragged keys immediately
+  return w.document.history.revision() != w.playback.seen_revision && (!is_dragging(w) || moves_keys);
+}
+
 // Handles edits since the last call: sets an automatic key, or shows the frame of an edited timeline.
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
-  const unsigned long revision = w.document.history.revision();
-  const bool moves_keys = w.view.time.drag.has_value();  // show dragged keys immediately
-  if (revision == p.seen_revision || (is_dragging(w) && !moves_keys)) return;
+  if (!has_unseen_edits(w)) return;
   const bool retimed = p.seen_timeline != w.document.timeline;
   see(w);
   if (!animation_of(w)) {
@@ -232,6 +236,10 @@ void stop_playing(Workspace& w) {
   if (!w.playback.playing) return;
   w.playback.playing = false;
   leave_for(w, std::round(w.document.frame));
+}
+
+bool time_is_due(const Workspace& w) {
+  return w.playback.playing || has_unseen_edits(w);
 }
 
 void follow_time(Workspace& w, double seconds) {

@@ -44,6 +44,8 @@ void start_playing(Workspace& workspace);
 /// Stops playback and rounds the frame to an integer.
 void stop_playing(Workspace& workspace);
 
+/// True if follow_time() would do something now.
+bool time_is_due(const Workspace& workspace);
 /// Call this once per drawn picture. Advances playback by `seconds`. After an edit of the timeline, shows the
 /// new pose. After an edit of the pose, sets a key if auto_key is on, otherwise stops playback.
 void follow_time(Workspace& workspace, double seconds);

@@ -166,9 +166,9 @@ void add_help_commands(CommandTable& table) {
             "Show all messages since the start of the program.", always,
             [](Workspace& w) { w.panels.show_messages = !w.panels.show_messages; });
   table.add("manual", {"Open manual", "Manual"}, "Open the manual in the browser.", always,
-            [](Workspace& w) { w.jobs.requests.manual = ""; });
+            [](Workspace& w) { w.jobs.wishes.add(ShowManual{}); });
   table.add("first_steps", "First steps", "Open the manual's chapter about the window.", always,
-            [](Workspace& w) { w.jobs.requests.manual = "window"; });
+            [](Workspace& w) { w.jobs.wishes.add(ShowManual{"window"}); });
 }
 
 void add_map_commands(CommandTable& table) {

@@ -168,7 +168,7 @@ void toggle_finding(Workspace& w, std::size_t index) {
   CheckState& checks = w.checks;
   const bool hide = checks.shown == index;
   checks.show(hide ? std::nullopt : std::optional(index));
-  w.jobs.requests.frame_finding = !hide;
+  if (!hide) w.jobs.wishes.add(FrameFinding{});
 }
 
 void step_element(Workspace& w, int step) {
@@ -177,7 +177,7 @@ void step_element(Workspace& w, int step) {
   const std::size_t n = checks.findings[*checks.shown].size();
   const std::size_t first = step > 0 ? 0 : n - 1;
   checks.show(checks.shown, checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first);
-  w.jobs.requests.frame_finding = true;
+  w.jobs.wishes.add(FrameFinding{});
 }
 
 void frame_finding(Workspace& w) {

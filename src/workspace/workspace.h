@@ -37,6 +37,7 @@
 #include "workspace/preferences.h"
 #include "workspace/split.h"
 #include "workspace/time_view.h"
+#include "workspace/wish.h"
 
 namespace viete::workspace {
 
@@ -117,20 +118,6 @@ struct TypedSlider {
   int waits = 0;  ///< number of pictures in which the field still waits for the keyboard focus
 };
 
-/// Requests to the program. Once per drawn picture, the program handles and clears the requests.
-struct Requests {
-  bool quit = false;
-  bool screenshot = false;
-  bool stop_work = false;  ///< cancel reading, binding or cage generation
-  bool stop_export = false;
-  bool frame_finding = false;  ///< move the camera to the shown finding
-  bool show_report = false, stop_report = false;
-  std::optional<std::string> manual;  ///< the chapter to show; empty: the first page
-  std::optional<files::OpenRequest> open;
-  std::optional<std::filesystem::path> save_session, save_pose, save_cage, save_model, save_animation;
-  std::optional<Answer> answer;  ///< answer to the open question
-};
-
 using base::WorkState;
 
 /// The state that the user's files contain. Later edits are unsaved.
@@ -204,9 +191,9 @@ struct View {
   bool full_screen = false;                ///< the window must fill the screen
 };
 
-/// Running work. Commands and panels write `requests`. The program writes the other members.
+/// Running work. Commands and panels add wishes. The program grants them, and writes the other members.
 struct Jobs {
-  Requests requests;
+  Wishes wishes;
   WorkState loading;  ///< opening files: reading, then binding
   WorkState binding;  ///< binding the open document with other weights
   WorkState exporting, making_cage, reporting;
@@ -250,8 +237,8 @@ struct Panels {
   bool offer_cage = true;      ///< false: the user has dismissed the suggestion to get a cage
   bool show_messages = false;  ///< show the message list
   bool show_preferences = false;
-  bool ask_keys = false;       ///< show the choice of a keymap
-  bool has_user = true;        ///< false while a command renders a picture without messages
+  bool ask_keys = false;  ///< show the choice of a keymap
+  bool has_user = true;   ///< false while a command renders a picture without messages
 };
 
 /// Results of the last drawn picture. Written by the program.

@@ -16,10 +16,12 @@
 #include "support/files.h"
 #include "support/shapes.h"
 #include "support/text.h"
+#include "workspace/apply_opened.h"
 #include "workspace/saving.h"
 
 using namespace viete;
 using What = files::OpenRequest::What;
+using FileContent = workspace::SaveFile::Content;
 using QuestionKind = workspace::Question::Kind;
 
 namespace {
@@ -38,13 +40,31 @@ struct Desk {
     desk.emplace(remembers ? state : std::filesystem::path(), workspace);
   }
   void frame(bool no_drag = true) {
-    desk->take_requests(workspace, no_drag);
+    while (!workspace.jobs.wishes.empty()) {
+      const workspace::Wish wish = workspace.jobs.wishes.take();
+      if (const auto* open = std::get_if<workspace::OpenFiles>(&wish)) desk->open(workspace, open->request);
+      if (const auto* save = std::get_if<workspace::SaveFile>(&wish)) desk->save(workspace, *save);
+      if (std::holds_alternative<workspace::CloseProgram>(wish)) desk->close(workspace);
+    }
+    desk->follow(workspace, no_drag);
+    apply_opened();
     desk->keep(workspace);
   }
-  void open(std::vector<std::filesystem::path> paths, What what = What::model) {
-    workspace.jobs.requests.open = files::OpenRequest{what, std::move(paths)};
-    frame();
+  void apply_opened() {
+    if (auto loaded = desk->take_opened()) workspace::apply_opened(workspace, std::move(loaded->opened));
+  }
+  void finish_loading() {
     desk->finish_loading(workspace);
+    apply_opened();
+  }
+  void open(std::vector<std::filesystem::path> paths, What what = What::model) {
+    workspace.jobs.wishes.open({what, std::move(paths)});
+    frame();
+    finish_loading();
+  }
+  void save(FileContent content, const std::filesystem::path& file) {
+    workspace.jobs.wishes.save(content, file);
+    frame();
   }
   void open_cubes() {
     open({files.model, files.cage});
@@ -56,11 +76,11 @@ struct Desk {
     document::set_pose(workspace.document, pose);
   }
   void quit() {
-    workspace.jobs.requests.quit = true;
+    workspace.jobs.wishes.add(workspace::CloseProgram{});
     frame();
   }
   void answer(workspace::Answer answer) {
-    workspace.jobs.requests.answer = answer;
+    desk->answer(workspace, answer);
     frame();
   }
   bool asks(QuestionKind kind) const {
@@ -97,13 +117,13 @@ void restore(Desk& d) {
 
 }  // namespace
 
-TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_question") {
+TEST_CASE("a_frame_without_wishes_does_nothing_nor_does_an_answer_to_no_question") {
   Desk d;
   d.frame();
   d.answer(workspace::Answer::proceed);
-  d.workspace.jobs.requests.stop_export = d.workspace.jobs.requests.stop_work = true;
-  d.workspace.jobs.requests.save_model = d.files / "out.obj";  // no model is open, so nothing is saved
-  d.frame();
+  d.desk->cancel_export();
+  d.desk->cancel_opening();
+  d.save(FileContent::model, d.files / "out.obj");  // no model is open, so nothing is saved
   CHECK_FALSE(d.desk->closed());
   CHECK_FALSE(d.desk->loading());
   CHECK_FALSE(d.desk->exporting());
@@ -114,14 +134,14 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
 
 TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   Desk d;
-  d.workspace.jobs.requests.open = files::OpenRequest{What::model, {d.files.model}};
+  d.workspace.jobs.wishes.open({What::model, {d.files.model}});
   for (int i = 0; i < 20; ++i) {
     d.frame(false);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   CHECK(d.desk->loading());
   CHECK_FALSE(d.workspace.document.model.surface);
-  d.desk->finish_loading(d.workspace);
+  d.finish_loading();
   CHECK(d.workspace.document.model.surface);
 }
 
@@ -205,10 +225,7 @@ TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   Desk d;
   const auto session = d.files / "a.viete";
   d.open_cubes();
-  const auto save = [&] {
-    d.workspace.jobs.requests.save_session = session;
-    d.frame();
-  };
+  const auto save = [&] { d.save(FileContent::session, session); };
   save();
   CHECK_FALSE(d.workspace.files.question);
   test::put_file(session, "theirs");
@@ -232,8 +249,8 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
     Desk d;
     formats::write(d.files / "large.ply", test::sphere(6));  // large enough to be written in the background
     d.open({d.files / "large.ply", d.files.cage});
-    d.workspace.jobs.requests.save_model =
-        fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
+    d.workspace.jobs.wishes.save(FileContent::model,
+                                 fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj");
     d.quit();
     CHECK_FALSE(d.desk->closed());
     if (!fails) CHECK(d.workspace.jobs.exporting.what.ends_with(", then closing"));
@@ -304,8 +321,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     CHECK(d.workspace.document.pose.positions != posed);
   }
   SUBCASE("saved, they are gone") {
-    d.workspace.jobs.requests.save_session = d.files / "a.viete";
-    d.frame();
+    d.save(FileContent::session, d.files / "a.viete");
     end_program(d);
     CHECK(d.workspace.recovery.files.empty());
     CHECK(files_in(d.state / "recovery") == 0);
@@ -363,11 +379,12 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
       const bool model = kind == QuestionKind::locate_model;
       CHECK(d.workspace.files.browser.purpose == (model ? workspace::FileBrowser::Purpose::locate_model
                                                         : workspace::FileBrowser::Purpose::locate_cage));
-      d.workspace.jobs.requests.open = std::exchange(d.workspace.files.unopened, std::nullopt);
-      auto& located = d.workspace.jobs.requests.open->located;
-      (model ? located.model : located.cage) = d.files / name;
+      auto request = std::exchange(d.workspace.files.unopened, std::nullopt);
+      REQUIRE(request);
+      (model ? request->located.model : request->located.cage) = d.files / name;
+      d.workspace.jobs.wishes.open(*request);
       d.frame();
-      d.desk->finish_loading(d.workspace);
+      d.finish_loading();
     }
     CHECK_FALSE(d.workspace.files.question);
     CHECK(d.workspace.document.model.path == d.files / "new.obj");
@@ -389,7 +406,7 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
        {std::pair{What::dropped, std::vector{cage, d.files.model}}, {What::cage, {cage}}}) {
     d.open(paths, what);
     d.answer(workspace::Answer::save);
-    d.desk->finish_loading(d.workspace);
+    d.finish_loading();
     REQUIRE(d.workspace.document.has_cage());
     CHECK(d.workspace.document.cage->surface.positions.size() == 8);
     CHECK(test::mentions(d.last_message(), "removed 1 protruding face of fin.obj"));
@@ -407,24 +424,22 @@ TEST_CASE("an_export_overwrites_no_open_file") {
   d.open({d.files / "m.obj", d.files.cage});
   d.open({d.files / "key_1.obj"}, What::animation);
   REQUIRE(d.workspace.document.timeline.keys.size() == 2);
-  auto& requests = d.workspace.jobs.requests;
-  const auto refuses = [&](auto& request, const char* name, const char* why) {
+  const auto refuses = [&](FileContent content, const char* name, const char* why) {
     const std::string before = test::file_bytes(d.files / name);
-    request = d.files / name;
+    d.workspace.jobs.wishes.save(content, d.files / name);
     d.frame();
     d.desk->finish_exports(d.workspace);
     CHECK(d.workspace.messages.all().back().severity == workspace::Severity::error);
     CHECK_MESSAGE(test::mentions(d.last_message(), why), d.last_message());
     CHECK(test::file_bytes(d.files / name) == before);
   };
-  refuses(requests.save_model, "m.obj", "(the model)");
-  refuses(requests.save_model, "link.obj", "such as link-2.obj");
-  refuses(requests.save_model, "cage.obj", "(the cage)");
-  refuses(requests.save_model, "key_9.obj", "(the keys)");
-  refuses(requests.save_animation, "key_#.obj", "(the keys)");
-  refuses(requests.save_animation, "skin_####.png", "(used by the model)");
-  requests.save_model = d.files / "out.obj";
-  d.frame();
+  refuses(FileContent::model, "m.obj", "(the model)");
+  refuses(FileContent::model, "link.obj", "such as link-2.obj");
+  refuses(FileContent::model, "cage.obj", "(the cage)");
+  refuses(FileContent::model, "key_9.obj", "(the keys)");
+  refuses(FileContent::animation, "key_#.obj", "(the keys)");
+  refuses(FileContent::animation, "skin_####.png", "(used by the model)");
+  d.save(FileContent::model, d.files / "out.obj");
   d.desk->finish_exports(d.workspace);
   CHECK(std::filesystem::exists(d.files / "out.obj"));
 }
@@ -440,8 +455,7 @@ TEST_CASE("a_session_whose_meshes_were_moved_is_saved_with_new_files_of_them_aft
   std::filesystem::create_directory(d.files / "work");
   const auto session = d.files / "work" / "a.viete";
   const auto save = [&] {
-    d.workspace.jobs.requests.save_session = session;
-    d.frame();
+    d.save(FileContent::session, session);
     REQUIRE(d.asks(QuestionKind::moved));
     CHECK(d.workspace.files.question->title == "model.obj and cage.obj were moved or deleted");
   };

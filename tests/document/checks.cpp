@@ -202,7 +202,7 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   toggle_finding(w, 0);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{0, 1});
   CHECK(shown_elements(w.checks, 1) == std::vector<std::size_t>{0});
-  CHECK(w.jobs.requests.frame_finding);
+  CHECK(w.jobs.wishes.find<workspace::FrameFinding>());
   step_element(w, 1);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{0});
   step_element(w, -1);

@@ -418,7 +418,9 @@ TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
   CHECK_FALSE(test::run_command(own, "open_example"));  // own.files.example is not set
   own.files.example = files / "loop.viete";
   REQUIRE(test::run_command(own, "open_example"));
-  REQUIRE(test::open_now(own, *own.jobs.requests.open));
+  const auto* wish = own.jobs.wishes.find<workspace::OpenFiles>();
+  REQUIRE(wish);
+  REQUIRE(test::open_now(own, wish->request));
   CHECK(own.playback.playing);
   CHECK(own.document.library.poses.size() == 2);
   CHECK(own.preferences.layout.timeline);

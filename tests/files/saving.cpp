@@ -223,7 +223,10 @@ TEST_CASE("save_asks_for_a_name_once_and_then_writes_there") {
   w.files.saved.session = files / "walk.viete";
   REQUIRE(test::run_command(w, "save_session"));
   CHECK_FALSE(w.files.browser.open);
-  CHECK(w.jobs.requests.save_session == files / "walk.viete");
+  const auto* wish = w.jobs.wishes.find<workspace::SaveFile>();
+  REQUIRE(wish);
+  CHECK(wish->content == workspace::SaveFile::Content::session);
+  CHECK(wish->file == files / "walk.viete");
   REQUIRE(test::run_command(w, "save_session_as"));
   CHECK(w.files.browser.open);
   CHECK(chosen_file(w.files.browser).filename() == "walk.viete");

@@ -27,7 +27,7 @@ struct Bound : Driver {
   template <class Act>
   void open_ball(int levels, const Act& act) {
     formats::write(folder / "ball.ply", test::moved(test::sphere(levels), 5));
-    workspace().jobs.requests.open = files::OpenRequest{What::cage, {folder / "ball.ply"}};
+    workspace().jobs.wishes.open({What::cage, {folder / "ball.ply"}});
     frame();
     act();
     REQUIRE(until([&] { return !viewer().loading(); }));

@@ -17,10 +17,9 @@ std::string state(Driver& d) {
   workspace::Workspace& w = d.workspace();
   std::string text = files::session_text(workspace::session_of(w), "/session.viete");
   for (const std::uint32_t i : w.document.selection.indices()) text += std::to_string(i) + " ";
-  const auto& requests = w.jobs.requests;
   return text + std::to_string(static_cast<int>(w.view.tool)) + std::to_string(w.playback.playing) +
          std::to_string(w.view.interaction.grab.has_value()) + std::to_string(w.view.options.panels) +
-         std::to_string(requests.quit) + std::to_string(w.document.history.can_redo()) +
+         std::to_string(!w.jobs.wishes.empty()) + std::to_string(w.document.history.can_redo()) +
          w.document.history.undo_label();
 }
 

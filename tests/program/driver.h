@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -46,6 +47,26 @@ public:
   }
 
   explicit Driver(WithPixels pixels) : Driver(default_options(), pixels) {}
+  Driver(const Driver&) = delete;
+  Driver& operator=(const Driver&) = delete;
+  /// Checks at the end of every test that the program comes to rest.
+  ~Driver() {
+    if (std::uncaught_exceptions() == 0) check_rest();
+  }
+
+  /// If there is no playback and no background work, runs frames until no activity is due. Then another frame
+  /// must not draw anything new.
+  void check_rest() {
+    const auto busy = [&] {
+      return viewer().working() || viewer().checking() || workspace().playback.playing;
+    };
+    for (int i = 0; i < 100 && !busy() && viewer().wants_frame(); ++i) frame();
+    if (busy()) return;
+    CHECK_MESSAGE(!viewer().wants_frame(), "the activity '", viewer().due_activity(), "' does not end");
+    frame();
+    CHECK_FALSE(viewer().has_drawn());
+    CHECK_MESSAGE(!viewer().wants_frame(), "the activity '", viewer().due_activity(), "' begins by itself");
+  }
 
   static std::optional<WithPixels> pictures_wanted() {
     return std::getenv("VIETE_PICTURES") ? std::optional(with_pixels) : std::nullopt;
@@ -226,7 +247,7 @@ private:
 
 inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
   const document::Revision before = document().revisions().pose;
-  workspace().jobs.requests.open = files::OpenRequest{what, std::move(files)};
+  workspace().jobs.wishes.open({what, std::move(files)});
   frame();
   REQUIRE(until([&] { return !viewer().loading(); }));
   return document().revisions().pose != before;

@@ -31,7 +31,7 @@ struct LargeModel : Driver {
     return options;
   }
   void ask_for(const fs::path& file) {
-    workspace().jobs.requests.save_model = file;
+    workspace().jobs.wishes.save(workspace::SaveFile::Content::model, file);
     frame();
   }
 };
@@ -66,8 +66,10 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   const fs::path file = folder / "out.obj";
   test::put_file(file, old);
   const auto before = folder.entries();
-  d.workspace().jobs.requests.stop_export = true;  // in the frame that starts the export
-  d.ask_for(file);
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, file);
+  d.workspace().jobs.wishes.add(  // in the frame that starts the export
+      workspace::CancelWork{workspace::CancelWork::Work::exporting});
+  d.frame();
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Cancelled exporting out.obj; no file was changed.");
   CHECK(test::file_bytes(file) == old);
@@ -86,7 +88,7 @@ TEST_CASE("an_animation_is_exported_aside") {
   drag_some_vertex(d, {-40, 25});
   document::set_key(d.document(), 600);
   const fs::path file = folder / "out.pc2";
-  d.workspace().jobs.requests.save_animation = file;
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, file);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Saved out.pc2.");
   const auto& all = d.workspace().messages.all();
@@ -106,7 +108,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   document::set_key(d.document(), 3);
   d.document().timeline.last = 3;
   d.workspace().view.options.model = true;
-  d.workspace().jobs.requests.save_animation = folder / "f_##.png";
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, folder / "f_##.png");
   d.frame();
   CHECK(d.workspace().jobs.exporting.what == "Exporting f_##.png");
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
@@ -140,7 +142,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   const auto brightness = [](const render::Image& image) { return int{image.rgba[0]}; };
   CHECK(brightness(other) > brightness(first) + 60);
   test::put_file(folder / "g_02.png", "somebody's");
-  d.workspace().jobs.requests.save_animation = folder / "g_##.png";
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, folder / "g_##.png");
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
   CHECK(test::mentions(d.last_message(), "g_02.png"));

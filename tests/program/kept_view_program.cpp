@@ -63,13 +63,13 @@ private:
     press_and_move(from, button);
     if (below(2) == 0) d.button(button, false);
   }
-  // Runs a random command that is not in the File menu. Cancels requests, and leaves full screen.
+  // Runs a random command that is not in the File menu. Drops wishes, and leaves full screen.
   void run_any_command() {
     const auto all = workspace::commands();
     const workspace::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     auto& w = d.workspace();
     if (command.enabled(w) && command.group != "File") command.run(w);
-    w.jobs.requests = {};
+    w.jobs.wishes = {};
     w.files.browser.open = w.view.full_screen = false;
     w.files.question.reset();
     d.frame();

@@ -95,7 +95,7 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
     d.click("tab/methods");
     d.press_key(workspace::key('T'));
     d.frame(2);
-    d.workspace().jobs.requests.quit = true;
+    d.workspace().jobs.wishes.add(workspace::CloseProgram{});
     d.frame(2);
   }
   Driver d(remembering(folder / "state"));

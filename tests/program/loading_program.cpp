@@ -36,7 +36,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     d.settle();
     drag_some_vertex(d, {20, 10});
     surface = d.document().model.surface.get();
-    d.workspace().jobs.requests.open = request;
+    d.workspace().jobs.wishes.open(request);
     if (!sees_loading_bar(d)) continue;
     CHECK(d.workspace().jobs.loading.what == "Reading large.obj");
     CHECK(d.document().model.surface.get() == surface);
@@ -48,7 +48,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK(d.workspace().messages.all().back().text.find("Cancelled opening") != std::string::npos);
 
-  d.workspace().jobs.requests.open = request;
+  d.workspace().jobs.wishes.open(request);
   double last = 0;
   d.frame();
   REQUIRE(d.until([&] {

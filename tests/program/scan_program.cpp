@@ -8,8 +8,8 @@ TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged" * doctest::test
   const auto folder = test::shared_data("igea-1m");
   if (folder.empty()) return;
   Driver d(Driver::default_options({640, 400}));
-  d.workspace().jobs.requests.open =
-      files::OpenRequest{files::OpenRequest::What::model, {folder / "mesh.ply", folder / "cage.obj"}};
+  d.workspace().jobs.wishes.open(
+      {files::OpenRequest::What::model, {folder / "mesh.ply", folder / "cage.obj"}});
   REQUIRE(d.until([&] { return d.document().has_cage() && !d.viewer().loading(); }));
   CHECK(d.document().model.summary.vertices == 537374);
   d.settle();

@@ -28,7 +28,7 @@ struct ShapeHand : Driver {
       settle();
     }
     write(left, 1.2), write(right, -1.2);
-    workspace().jobs.requests.open = files::OpenRequest{What::dropped, {right, left}};
+    workspace().jobs.wishes.open({What::dropped, {right, left}});
     frame();
     REQUIRE(until([&] { return document().library.poses.size() == 2; }));
     settle();
@@ -63,7 +63,7 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
     CHECK(d.drawn_error() < 2e-5);
     CHECK(workspace::has_unsaved_edits(d.workspace()));
     const auto file = d.folder / "out.ply";
-    d.workspace().jobs.requests.save_model = file;
+    d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, file);
     d.frame();
     REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
     const double off = test::largest_distance(formats::read(file).surface.positions, d.exact_positions());

@@ -223,7 +223,7 @@ private:
     const auto all = commands();
     const Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     if (command.enabled(w)) command.run(w);
-    w.jobs.requests = {};
+    w.jobs.wishes = {};
   }
 
   std::mt19937 random_;

@@ -1,4 +1,4 @@
-#include "app/analysis.h"
+#include "app/method_measuring.h"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,88 @@
+#include "app/vertex_inspector.h"
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "deform/vertex_sample.h"
+#include "sym3/eigenvalues.h"
+#include "sym3/exp.h"
+#include "sym3/reference.h"
+#include "sym3/rotation.h"
+#include "sym3/route.h"
+
+namespace viete::app {
+
+namespace {
+
+using sym3::Method;
+
+// GLM matrices are column-major.
+glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
+  const auto r = sym3::exp_rotation<double>({turn[0], turn[1], turn[2]});
+  const auto s = sym3::exp(stretch);
+  const glm::dmat3 rotation(r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]);
+  return rotation * glm::dmat3(s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz);
+}
+
+std::string words_of(Method method, const sym3::Route& route) {
+  if (method == Method::diag) return "eigenvectors by QR";
+  if (method == Method::fast) {
+    if (route.by_jacobi) return "Jacobi's method";
+    const std::string degree = "degree " + std::to_string(route.degree);
+    if (route.squarings == 0) return degree + ", without squaring";
+    return degree + ", squared " + std::to_string(route.squarings) +
+           (route.squarings == 1 ? " time" : " times");
+  }
+  constexpr const char* cases[] = {"", "case 1: all equal", "case 2: two equal", "case 3: all different"};
+  return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
+}
+
+std::vector<workspace::VertexView::Way> ways_of(const sym3::Sym3<double>& sum) {
+  std::vector<workspace::VertexView::Way> ways;
+  for (const Method method : analysis::compared_methods)
+    ways.push_back({method, words_of(method, sym3::route(sum, method)),
+                    sym3::relative_error(sym3::exp(sum, method), sum)});
+  return ways;
+}
+
+workspace::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
+  workspace::VertexView view;
+  view.vertex = vertex;
+  view.has_logs = sum.has_logs;
+  sym3::Sym3<double> partial{};
+  for (const auto& term : sum.terms) {
+    const double w = term.weight;
+    const auto& x = term.stretch;
+    partial = {partial.xx + w * x.xx, partial.xy + w * x.xy, partial.xz + w * x.xz,
+               partial.yy + w * x.yy, partial.yz + w * x.yz, partial.zz + w * x.zz};
+    view.terms.push_back({term.handle, w, term.at, sym3::eigenvalues(partial)});
+  }
+  if (!sum.has_logs) return view;
+  view.map = map_of(sum.stretch, sum.turn);
+  view.degrees = mesh::norm(sum.turn) * 180 / std::numbers::pi;
+  view.ways = ways_of(sum.stretch);
+  return view;
+}
+
+}  // namespace
+
+bool VertexInspector::follow(workspace::Workspace& w, const LiveModel& model) {
+  if (!is_due(w, model)) return false;
+  shown_ = key_of(w, model);
+  const auto vertex = shown_.vertex;
+  w.view.vertex = {};
+  const deform::Deformer* deformer = model.deformer();
+  const mesh::Surface& surface = *w.document.model.surface;
+  if (!vertex || *vertex >= surface.positions.size()) return true;
+  w.view.vertex.vertex = vertex;
+  if (!model.ran() || !w.document.has_cage()) return true;
+  const Bound& bound = model.bound();
+  const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+  const deform::VertexSum sum =
+      deform::vertex_sum(weigher, *bound.binding, deformer->mask(), deformer->state().rows(), *vertex);
+  w.view.vertex = view_of(*vertex, sum);
+  return true;
+}
+
+}  // namespace viete::app
