@@ -76,7 +76,7 @@ void check_output(const AnimateOptions& options, FilesInUse files, const files::
 files::Opened opened_for(const AnimateOptions& options, void (*check)(const files::Opened&)) {
   files::Opened opened = open(options.inputs, check);
   document::Document& document = *opened.document;
-  document::Timeline& timeline = document.timeline;
+  document::Timeline& timeline = document.changed_timeline();
   timeline.rate = options.rate.value_or(timeline.rate);
   timeline.linear |= options.linear;
   if (!options.keys.empty()) {
@@ -84,7 +84,7 @@ files::Opened opened_for(const AnimateOptions& options, void (*check)(const file
       throw base::Error(options.inputs.model.string(), "the session has no cage, but keys need a cage",
                         "open it in the window and add a cage");
     files::ImportedKeys keys =
-        files::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
+        files::read_keys(options.keys, *document.cage(), {timeline.first, timeline.rate});
     opened.warnings.insert(opened.warnings.end(), keys.warnings.begin(), keys.warnings.end());
     for (auto& file : keys.files) opened.also_read.push_back({std::move(file), document::the_keys});
     timeline.keys = std::move(keys.keys);
@@ -127,13 +127,13 @@ int write_pictures(const AnimateOptions& options) {
     throw base::Error(options.output.file.string(), "a single picture cannot show an animation",
                       "write numbered pictures: frame_####.png");
   files::Opened opened = opened_for(options, files::check_drawable);
-  if (opened.document->timeline.empty() && !options.turntable)
+  if (opened.document->timeline().empty() && !options.turntable)
     throw base::Error(options.inputs.model.string(), "the timeline has no keys, so nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
   base::check_replaceable(base::NumberedName(options.output.file).file(1));
   PictureOptions picture = options.picture;
   picture.viewer.probe = picture.panels;
-  const PictureRun run = picture_run(options, opened.document->timeline);
+  const PictureRun run = picture_run(options, opened.document->timeline());
   auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.file.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));
   const std::vector<std::string> notes = write_pictures(*offscreen, run, work->progress());

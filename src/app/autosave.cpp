@@ -45,7 +45,7 @@ Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
 }
 
 Autosave::Key Autosave::key_of(const workspace::Workspace& w) {
-  return {w.files.opened, w.document.history.revision(), w.files.saved.revision(),
+  return {w.files.opened, w.document.history().revision(), w.files.saved.revision(),
           w.document.revisions().method, w.view.options};
 }
 
@@ -68,7 +68,7 @@ void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   if (other) {
     close_recovered(workspace);
     untouched_ = workspace.recovery.from;
-    restored_ = untouched_.empty() ? document::DocumentState() : state_of(document);
+    restored_ = untouched_.empty() ? document::DocumentState() : document.state();
     restored_.pose = real_pose(document);
   } else if (!unsaved || (now.edits != seen_.edits && workspace::differs(workspace, restored_))) {
     untouched_.clear();  // a change of the selection is no further edit

@@ -101,7 +101,7 @@ int write_moment(const BetweenOptions& options) {
   files::Export what = export_to(options.output, list.opened.model);
   std::optional<TerminalProgress> work(options.output.task());
   document::VectorCache vectors;
-  vectors.follow_model(document.model.surface);
+  vectors.follow_model(document.model().surface);
   const document::Animation animation(timeline_of(options, list, 0, last), vectors);
   what.shape = animation.at(*options.at).shape;
   const auto notes = write_shape(what, "the shape", &work->progress());

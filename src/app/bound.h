@@ -21,7 +21,7 @@ struct Bound {
   bool stitches(const deform::Scheme& scheme) const { return stitching && stitching->serves(scheme); }
   /// True if this is a binding of the document's model to the document's cage, with any weights.
   bool binds(const document::Document& document) const {
-    return binding && model == document.model.surface && cage == document.cage;
+    return binding && model == document.model().surface && cage == document.cage();
   }
 };
 

@@ -87,9 +87,9 @@ void CageMaker::start(const workspace::Workspace& w, cages::Effort effort) {
   wants_full_ = effort == cages::Effort::preview && w.making.wish.kind == cages::Kind::automatic;
   cages::Wish wish = *asked_;
   wish.effort = effort;
-  if (!workshop_ || workshop_->model != document.model.surface)
-    workshop_ = std::make_shared<Workshop>(Workshop{document.model.surface});
-  job_.start([workshop = workshop_, wish, scheme = document.scheme, method = document.method](
+  if (!workshop_ || workshop_->model != document.model().surface)
+    workshop_ = std::make_shared<Workshop>(Workshop{document.model().surface});
+  job_.start([workshop = workshop_, wish, scheme = document.scheme(), method = document.method()](
                  base::Progress& progress) { return make(*workshop, wish, scheme, method, progress); },
              text_of(wish));
 }

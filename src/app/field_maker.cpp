@@ -95,7 +95,7 @@ private:
 };
 
 void take(FieldValues&& made, const document::Document& document, workspace::FieldView& shown) {
-  if (made.values.size() != document.model.surface->positions.size()) return;
+  if (made.values.size() != document.model().surface->positions.size()) return;
   if (shown.holds_range && shown.values) {
     made.stats.low = shown.stats.low, made.stats.high = shown.stats.high;
     analysis::fit_counts(made.values, made.stats);
@@ -115,9 +115,9 @@ analysis::FieldInput input_of(const analysis::Strain& strain, sym3::Method metho
 }  // namespace
 
 FieldMaker::Key FieldMaker::key_of(const FieldSubject& s) {
-  Key key{s.field, s.posed.frame, 0, s.posed.vertices.data(), s.document.model.surface.get(), s.method, {}};
+  Key key{s.field, s.posed.frame, 0, s.posed.vertices.data(), s.document.model().surface.get(), s.method, {}};
   if (analysis::entry(s.field).source == Source::first) key.first = s.first.frame;
-  if (s.field == Field::influence) key.selection = s.document.selection;
+  if (s.field == Field::influence) key.selection = s.document.selection();
   return key;
 }
 
@@ -159,7 +159,7 @@ bool FieldMaker::follow(std::size_t view, const FieldSubject& s, workspace::Fiel
     begin(v, s);
     return news;
   }
-  const mesh::Surface& rest = *s.document.model.surface;
+  const mesh::Surface& rest = *s.document.model().surface;
   const auto drawn = drawn_positions(s.posed, rest), first = drawn_positions(s.first, rest);
   if (!pool_) pool_ = std::make_unique<base::WorkerPool>();
   const auto strain = strain_of(s.document);
@@ -190,10 +190,10 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
   const FrameInput frame = s.model.input(s.document, method);
   if (field == Field::influence) {
     std::vector<std::uint32_t> vertices;
-    if (s.document.selection.kind() != document::ElementKind::probe)
+    if (s.document.selection().kind() != document::ElementKind::probe)
       vertices = document::moving_vertices(s.document);
     return view.job.start(
-        [=, influence = Influence{frame, s.document.selection, vertices}](base::Progress& progress) {
+        [=, influence = Influence{frame, s.document.selection(), vertices}](base::Progress& progress) {
           const auto shares = influence.shares(progress);
           analysis::FieldInput input = input_of(*strain, method);
           input.shares = shares;
@@ -220,8 +220,8 @@ void FieldMaker::forget() {
 }
 
 std::shared_ptr<const analysis::Strain> FieldMaker::strain_of(const document::Document& document) {
-  if (surface_ != document.model.surface) {
-    surface_ = document.model.surface;
+  if (surface_ != document.model().surface) {
+    surface_ = document.model().surface;
     strain_ = std::make_shared<const analysis::Strain>(*surface_);
   }
   return strain_;

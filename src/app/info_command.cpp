@@ -53,7 +53,7 @@ void print(const document::OpenedSurface& surface) {
   std::printf("  area        %g\n", f.area);
   if (f.closed()) std::printf("  volume      %g\n", f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
-  const auto document = document::document_of(surface);
+  const auto document = document::Document(surface);
   using Check = void (*)(const document::Document&);
   for (const auto check :
        std::initializer_list<Check>{document::check_drawable, document::check_deformable}) {

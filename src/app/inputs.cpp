@@ -153,7 +153,7 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
     all.model = files::open_files({files::OpenRequest::What::model, {model}}, {}, &work.progress());
     files::check_drawable(all.model);
     files::check_deformable(all.model);
-    const mesh::Surface& surface = *all.model.document->model.surface;
+    const mesh::Surface& surface = *all.model.document->model().surface;
     check_has_area(model, surface);
     files::check_shape_count(model.string(), shapes.size(), surface);
     for (const auto& file : shapes) {

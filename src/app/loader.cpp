@@ -9,22 +9,6 @@ namespace viete::app {
 
 namespace {
 
-// A copy without the undo history, because the history can be large.
-document::Document without_history(const document::Document& document) {
-  document::Document copy;
-  copy.model = document.model;
-  copy.cage_file = document.cage_file;
-  copy.cage = document.cage;
-  copy.mask = document.mask;
-  copy.probes = document.probes;
-  copy.shape = document.shape;
-  copy.library = document.library;
-  copy.method = document.method;
-  copy.scheme = document.scheme;
-  copy.timeline = document.timeline;
-  return copy;
-}
-
 // Copies a request and makes the copy remove the fins of the cage. `cage`: the file of the cage.
 files::OpenRequest without_fins(files::OpenRequest request, const std::string& cage) {
   using What = files::OpenRequest::What;
@@ -52,14 +36,14 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
   files::check_drawable(opened);
   if (!opened.document) return loaded;
   const document::Document& document = *opened.document;
-  if (document.model.surface != current.model.surface) {
+  if (document.model().surface != current.model().surface) {
     progress.section(0.8, 1);
-    loaded.shading = shading_of(document.model, moving);
+    loaded.shading = shading_of(document.model(), moving);
   }
   if (!document.has_cage()) return loaded;
-  progress.step(document::binding_plan(document, document.scheme.weighting));
-  loaded.bound = app::bind(document.model.surface, document.cage, document.scheme, document.method, {},
-                           progress, loaded.shading.draft);
+  progress.step(document::binding_plan(document, document.scheme().weighting));
+  loaded.bound = app::bind(document.model().surface, document.cage(), document.scheme(), document.method(),
+                           {}, progress, loaded.shading.draft);
   return loaded;
 }
 
@@ -68,7 +52,7 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
 void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
                    std::size_t moving) {
   const auto& files = request.files;
-  loader.start([request, current = without_history(current),
+  loader.start([request, current = current.without_history(),
                 moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
                "Reading " + (files.empty() ? "" : files.front().filename().string()));
 }

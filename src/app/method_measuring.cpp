@@ -112,7 +112,7 @@ double MethodMeasuring::timing_in(const workspace::Workspace& w, const LiveModel
 
 void MethodMeasuring::start_timing(const workspace::Workspace& w, const LiveModel& model) {
   timed_ = model.frames();
-  timer_.start([timed = model.input(w.document, w.document.method)](base::Progress& progress) {
+  timer_.start([timed = model.input(w.document, w.document.method())](base::Progress& progress) {
     return time_methods(timed, progress);
   });
 }

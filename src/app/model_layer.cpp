@@ -190,7 +190,7 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
 }
 
 void ModelLayer::set_document(const document::Document& document, const ModelShading& shading) {
-  const mesh::Surface& model = *document.model.surface;
+  const mesh::Surface& model = *document.model().surface;
   const ModelLooks& looks = shading.looks;
   surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
   surface_.set_looks(looks.looks);
@@ -211,8 +211,8 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
 }
 
 void ModelLayer::set_rest(const document::Document& document, const ModelShading& shading) {
-  surface_.set_positions(document.model.surface->positions, shading.normals);
-  shadow_.set_positions(draft_ ? draft_->surface.positions : document.model.surface->positions);
+  surface_.set_positions(document.model().surface->positions, shading.normals);
+  shadow_.set_positions(draft_ ? draft_->surface.positions : document.model().surface->positions);
   if (!draft_) return;
   coarse_.set_positions(draft_->surface.positions,
                         mesh::picked(std::span(shading.normals), draft_->vertices));
@@ -229,7 +229,7 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
   Colored wanted;
   wanted.by_mask = workspace::shows_mask(w), wanted.dark = w.view.options.dark;
   wanted.symmetric = analysis::entry(field).symmetric;
-  if (wanted.by_mask) wanted.mask = w.document.mask;
+  if (wanted.by_mask) wanted.mask = w.document.mask();
   if (field != analysis::Field::none && shown.stats.field == field) wanted.field = shown.values;
   if (colored_ == wanted || vertices_ == 0) return false;
   colored_ = wanted;

@@ -68,16 +68,16 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<document::SideWay> views;
   for (const std::string& word : words) {
-    document::SideWay view{w.document.scheme, w.document.method, w.view.options.field};
+    document::SideWay view{w.document.scheme(), w.document.method(), w.view.options.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "linear")
-      view.other_blending = (word == "linear") != w.document.timeline.linear;
+      view.other_blending = (word == "linear") != w.document.timeline().linear;
     const auto way = std::ranges::find(deform::all_ways(), word, &deform::WayEntry::name);
-    if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme);
+    if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme());
     views.push_back(std::move(view));
   }
   if (views[0].other_blending) {
-    document::set_linear(w.document, w.playback.vectors, !w.document.timeline.linear);
+    document::set_linear(w.document, w.playback.vectors, !w.document.timeline().linear);
     for (document::SideWay& view : views) view.other_blending = !view.other_blending;
   }
   w.document.put_scheme(views[0].scheme);
@@ -129,7 +129,7 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files:
   w.panels.has_user = false;
   workspace::apply_opened(w, std::move(opened));
   if (options.frame) {
-    if (w.document.timeline.empty())
+    if (w.document.timeline().empty())
       throw base::Error("--frame", "the timeline has no keys, so all frames are equal",
                         "omit --frame, or set keys on the timeline and save the session");
     workspace::go_to_frame(w, *options.frame);
@@ -143,7 +143,7 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files:
 
 void print_messages(const workspace::Workspace& w) {
   print_missing(w);
-  if (const auto& cage = w.document.cage) print_notes(cage->warnings);
+  if (const auto& cage = w.document.cage()) print_notes(cage->warnings);
   for (const auto& message : w.messages.all()) {
     if (message.severity == workspace::Severity::error) throw base::Error("", message.text);
     print_notes({message.text});
@@ -223,7 +223,7 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
     const double share = static_cast<double>(i) / static_cast<double>(run.frames.size());
     progress.report(share);
     w.view.camera.set_pose(start);
-    if (!w.document.timeline.empty()) workspace::go_to_frame(w, run.frames[i]);
+    if (!w.document.timeline().empty()) workspace::go_to_frame(w, run.frames[i]);
     if (run.turntable) {
       document::CameraPose camera = w.view.camera.pose();
       camera.yaw += static_cast<float>(2 * std::numbers::pi * share);

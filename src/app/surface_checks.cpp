@@ -7,7 +7,7 @@ namespace viete::app {
 bool SurfaceChecks::follow(workspace::Workspace& w) {
   if (const Surfaces now = surfaces_of(w); checked_ != now) {
     checked_ = now;
-    job_.start([model = w.document.model, cage = w.document.cage_file](base::Progress& progress) {
+    job_.start([model = w.document.model(), cage = w.document.cage_file()](base::Progress& progress) {
       auto findings = document::check(model, cage, &progress);
       base::release_freed_memory();
       return findings;
@@ -36,7 +36,7 @@ void SurfaceChecks::follow_outside(workspace::Workspace& w) {
   const auto found = workspace::outside_finding(w.checks);
   const std::size_t outside = found ? w.checks.findings[*found].size() : 0;
   const bool edited =
-      std::exchange(outside_of_, checked_.model) == checked_.model && w.document.history.can_undo();
+      std::exchange(outside_of_, checked_.model) == checked_.model && w.document.history().can_undo();
   w.checks.pushed_out = edited && (outside > w.checks.outside || (w.checks.pushed_out && outside > 0));
   if (outside > w.checks.outside) w.panels.offer_cage = true;
   w.checks.outside = outside;

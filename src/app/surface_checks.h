@@ -31,7 +31,7 @@ private:
     friend bool operator==(const Surfaces&, const Surfaces&) = default;
   };
   static Surfaces surfaces_of(const workspace::Workspace& w) {
-    return {w.document.model.surface, w.document.cage_file.surface};
+    return {w.document.model().surface, w.document.cage_file().surface};
   }
   bool take(workspace::Workspace& workspace, bool wait);
   void follow_outside(workspace::Workspace& workspace);

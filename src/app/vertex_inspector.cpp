@@ -73,7 +73,7 @@ bool VertexInspector::follow(workspace::Workspace& w, const LiveModel& model) {
   const auto vertex = shown_.vertex;
   w.view.vertex = {};
   const deform::Deformer* deformer = model.deformer();
-  const mesh::Surface& surface = *w.document.model.surface;
+  const mesh::Surface& surface = *w.document.model().surface;
   if (!vertex || *vertex >= surface.positions.size()) return true;
   w.view.vertex.vertex = vertex;
   if (!model.ran() || !w.document.has_cage()) return true;

@@ -47,7 +47,7 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_
     binder_.cancel();
     given_up_.reset();
     const bool served = deformer_ && document.has_cage();
-    if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
+    if (served && deformer_->scheme().weighting != document.scheme().weighting) start_binding(document);
   }
   // Binds if a cage, probe or shape can move the model. While a cage is being generated, waits.
   if (!deformer_ && !binder_.running() && !w.jobs.making_cage.running && given_up_ != now.pose &&
@@ -59,7 +59,7 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_
   // If the staged engine's weights, the stitching or the draft are missing, starts to compute the missing
   // data. Until then, the method is `fast`, without stitching.
   const bool lacks_draft = !bound_.draft && draft_of(document) && undrafted_ != bound_.binding;
-  if (deformer_ && !binder_.running() && (!deformer_->engine(document.method) || lacks_draft))
+  if (deformer_ && !binder_.running() && (!deformer_->engine(document.method()) || lacks_draft))
     start_binding(document);
   take_binding(w, false);
   w.jobs.binding = binder_.state();
@@ -68,13 +68,13 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_
 
 // The document's cage, or the substitute if the document has no cage.
 std::shared_ptr<const deform::Cage> LiveModel::cage_of(const document::Document& document) {
-  if (document.has_cage()) return document.cage;
-  if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
+  if (document.has_cage()) return document.cage();
+  if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model().bounds));
   return no_cage_;
 }
 
 deform::Scheme LiveModel::scheme_of(const document::Document& document) {
-  return document.has_cage() ? document.scheme : deform::no_motion();
+  return document.has_cage() ? document.scheme() : deform::no_motion();
 }
 
 void LiveModel::follow_blend(const deform::Scheme& scheme) {
@@ -100,8 +100,8 @@ void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
 }
 
 void LiveModel::start_binding(const document::Document& document) {
-  bind_for({scheme_of(document), document.method}, document.model.surface, cage_of(document), bound_,
-           document.has_cage() ? document::binding_plan(document, document.scheme.weighting)
+  bind_for({scheme_of(document), document.method()}, document.model().surface, cage_of(document), bound_,
+           document.has_cage() ? document::binding_plan(document, document.scheme().weighting)
                                : "Preparing the model for probes",
            draft_of(document));
 }
@@ -116,7 +116,7 @@ void LiveModel::take_binding(workspace::Workspace& w, bool wait) {
 constexpr workspace::Concern of_cage{"bind", workspace::Scope::cage};
 
 std::shared_ptr<const mesh::Draft> LiveModel::draft_of(const document::Document& document) {
-  const bool moves = document.has_cage() && !document.scheme.stitched();
+  const bool moves = document.has_cage() && !document.scheme().stitched();
   return moves ? model_draft_ : nullptr;
 }
 
@@ -149,7 +149,7 @@ void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, wo
     if (!bound_.stitches(served)) served.iterations = 0;
     document::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // prevents another binding
-    if (!deformer_->engine(document.method)) document.put_method(sym3::Method::fast);
+    if (!deformer_->engine(document.method())) document.put_method(sym3::Method::fast);
   }
   w.messages.say(severity, why, of_cage);
 }
@@ -173,9 +173,9 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
   if (deformed) {
-    times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
+    times.method = deformer_->engine(document.method()) ? document.method() : sym3::Method::fast;
     const auto cost = pool_.cost();
-    run(document, document.pose, document.shape, times.method);
+    run(document, document.pose(), document.shape(), times.method);
     times.cost = pool_.cost() - cost;
     take_carried(document);
     if (document.has_cage()) workspace::take_report(w, deformer_->state().report());
@@ -194,32 +194,33 @@ bool LiveModel::shows_draft(const document::Document& document) const {
 
 bool LiveModel::deform_draft(workspace::Workspace& w, workspace::FrameTimes& times) {
   const document::Document& document = w.document;
-  const bool plain = document.has_cage() && !document.kept_pose && !document.mask && !document.shape &&
-                     document.probes.all.empty();
-  if (!draft_ || !derived_ || !plain || !draft_->engine(document.method)) return deform(w, times);
+  const bool plain = document.has_cage() && !document.kept_pose() && !document.mask() && !document.shape() &&
+                     document.probes().all.empty();
+  if (!draft_ || !derived_ || !plain || !draft_->engine(document.method())) return deform(w, times);
   if (!deforms(document) || shows_draft(document)) return false;
-  draft_->deform(document.pose, document.method);
+  draft_->deform(document.pose(), document.method());
   workspace::take_report(w, draft_->state().report());
   drafted_ = derived_of(document);
   return draft_news_ = true;
 }
 
 void LiveModel::take_carried(document::Document& document) {
-  document.carried.clear();
+  std::vector<document::Carried> carried;
   for (const mesh::Point& place : deformer_->probes().places()) {
-    const deform::Probe& probe = document.probes.all[document.carried.size()];
-    document.carried.push_back(probe.pin ? carried_pin(document, probe) : document::Carried{place});
+    const deform::Probe& probe = document.probes().all[carried.size()];
+    carried.push_back(probe.pin ? carried_pin(document, probe) : document::Carried{place});
   }
+  document.put_carried(std::move(carried));
 }
 
 // Transforms the pin's target from the shape to the drawn model, with the matrix of map_at().
 document::Carried LiveModel::carried_pin(const document::Document& document, const deform::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
-  const mesh::Surface& surface = *document.model.surface;
+  const mesh::Surface& surface = *document.model().surface;
   if (around_.starts.empty()) around_ = mesh::vertex_triangles(surface.positions.size(), surface.triangles);
   document::Carried carried;
   const auto is_pin = [](const deform::Probe& p) { return p.pin.has_value(); };
-  if (document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin))
+  if (document.has_cage() || !std::ranges::all_of(document.probes().all, is_pin))
     carried.map = map_at(document, v);  // a cage or a probe deforms the shape
   const mesh::Vec3 off = probe.place - document::shape_of_vertex(document, v);
   carried.place = vertex(document, v) + deform::times(carried.map, off);
@@ -233,7 +234,7 @@ sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::ui
   for (const std::uint32_t t : around_.of(v)) {
     std::array<mesh::Point, 3> shape, drawn;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t corner = document.model.surface->triangles[t][k];
+      const std::uint32_t corner = document.model().surface->triangles[t][k];
       shape[k] = document::shape_of_vertex(document, corner), drawn[k] = vertex(document, corner);
     }
     const deform::RestBasis from = deform::rest_basis(shape, {0, 1, 2});
@@ -245,7 +246,7 @@ sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::ui
 }
 
 mesh::Point LiveModel::vertex(const document::Document& document, std::size_t index) const {
-  if (!ran()) return document.model.surface->positions[index];
+  if (!ran()) return document.model().surface->positions[index];
   const auto& p = deformer_->vertices()[index].position;
   return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
 }
@@ -265,7 +266,7 @@ document::SharedPose other_pose(workspace::Workspace& w) {
 
 SideModel::Made SideModel::made_of(const workspace::SplitView& side, const workspace::Workspace& w) {
   const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method};
-  return {need, w.document.revisions().pose, w.document.mask, side.other_blending};
+  return {need, w.document.revisions().pose, w.document.mask(), side.other_blending};
 }
 
 bool SideModel::serves(const Need& need) const {
@@ -322,10 +323,10 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   const auto& drag = w.view.interaction.drag;
   drag_.before(*deformer_, drag);
   const document::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
-  const deform::Pose& pose = other ? other->cage : w.document.pose;
+  const deform::Pose& pose = other ? other->cage : w.document.pose();
   base::Stopwatch watch;
   const auto cost = pool.cost();
-  run(w.document, pose, other ? other->shape : w.document.shape, side.method);
+  run(w.document, pose, other ? other->shape : w.document.shape(), side.method);
   if (!side.other_blending) drag_.after(*deformer_, drag);  // the other blending can move the whole cage
   side.stats.add({.when = base::wall_seconds(),
                   .links = deformer_->times(),

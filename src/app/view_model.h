@@ -22,7 +22,7 @@ namespace viete::app {
 /// True if a drag changes the cage's rest shape. During this drag, the model does not change.
 inline bool changes_rest(const workspace::Workspace& w) {
   const auto& drag = w.view.interaction.drag;
-  return drag && w.document.kept_pose && !drag->vertices().empty();
+  return drag && w.document.kept_pose() && !drag->vertices().empty();
 }
 
 /// Passes the beginning and end of drags to a deformer, so that frames during a drag are faster.
@@ -78,10 +78,10 @@ public:
     return {bound_,
             deformer_->scheme(),
             method,
-            document.has_cage() ? document.pose : deform::rest_pose(*bound_.cage),
+            document.has_cage() ? document.pose() : deform::rest_pose(*bound_.cage),
             deformer_->mask(),
-            document.probes,
-            document.shape};
+            document.probes(),
+            document.shape()};
   }
   /// The number of frames computed so far. Measurements identify a frame by this number.
   unsigned long frames() const { return frames_; }
@@ -111,8 +111,8 @@ protected:
   }
   void run(const document::Document& document, const deform::Pose& pose, const deform::SharedShape& shape,
            sym3::Method method) {
-    if (deformer_->mask() != document.mask) deformer_->set_mask(document.mask);
-    deformer_->set_probes(document.probes);
+    if (deformer_->mask() != document.mask()) deformer_->set_mask(document.mask());
+    deformer_->set_probes(document.probes());
     deformer_->set_shape(shape);
     deformer_->deform(document.has_cage() ? pose : deform::rest_pose(*bound_.cage), method);
     ++frames_;
@@ -203,7 +203,7 @@ private:
     friend bool operator==(const Derived&, const Derived&) = default;
   };
   static Derived derived_of(const document::Document& document) {
-    return {document.revisions().pose, document.revisions().method, document.mask};
+    return {document.revisions().pose, document.revisions().method, document.mask()};
   }
   // The input of the last frame, and of the draft. If nullopt, the next deform() computes a frame.
   std::optional<Derived> derived_, drafted_;

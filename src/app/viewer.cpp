@@ -285,7 +285,7 @@ bool Viewer::bind() {
   const bool due = model_.binding_is_due(document);
   Bound known = std::exchange(opened_bound_, {});
   if (!known.binding) known = cages_.take_bound();
-  const auto draft = shading_.surface == document.model.surface ? shading_.draft : nullptr;
+  const auto draft = shading_.surface == document.model().surface ? shading_.draft : nullptr;
   const LiveModel::Changed changed = model_.follow(workspace_, draft, std::move(known));
   if (changed.document || changed.cage) show_new_surfaces(changed);
   return due;
@@ -300,8 +300,8 @@ void Viewer::show_new_surfaces(LiveModel::Changed changed) {
     side.stats.clear();
   }
   workspace_.view.interaction.hovered.reset();
-  if (shading_.surface != document.model.surface)
-    shading_ = shading_of(document.model, workspace_.about.moving_triangles);
+  if (shading_.surface != document.model().surface)
+    shading_ = shading_of(document.model(), workspace_.about.moving_triangles);
   for (const std::string& warning : std::exchange(shading_.looks.warnings, {}))
     workspace_.messages.warn(warning, {.scope = workspace::Scope::model});
   if (changed.document) {
@@ -373,7 +373,7 @@ bool Viewer::field_is_due() const {
 
 bool Viewer::follow_fields() {
   bool news = false;
-  if (!workspace_.document.model.surface) return news;
+  if (!workspace_.document.model().surface) return news;
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view)
     news |= fields_.follow(view, field_subject(view), workspace_.view.split.views[view].shown);
   const std::size_t views = workspace_.view.split.count();
@@ -400,7 +400,7 @@ void Viewer::share_ranges() {
 }
 
 void Viewer::finish_views() {
-  if (!workspace_.document.model.surface) return;
+  if (!workspace_.document.model().surface) return;
   sides_.finish(workspace_, model_);
   frame(0);
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view)
@@ -422,7 +422,7 @@ void Viewer::upload() {
   const document::Document& document = workspace_.document;
   moves_ = deformed_ || cage_moved();
   if (take_screenshot_ && !workspace_.view.options.panels) hide_tools();
-  if (!document.model.surface) return;
+  if (!document.model().surface) return;
   base::Stopwatch watch;
   const bool moved = cage_drawn_ != document.revisions().pose;
   const bool at_rest = !workspace_.view.options.deformed,

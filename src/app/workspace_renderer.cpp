@@ -38,7 +38,7 @@ render::Paint paint_of(document::Shading shading, bool file_has_looks) {
 // For each cage vertex, returns its fraction of the selection's motion. Empty without soft selection.
 std::vector<float> soft_shares(const workspace::Workspace& w) {
   if (!w.view.tools || !w.view.handling.soft.on || document::moving_vertices(w.document).empty()) return {};
-  std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
+  std::vector<float> shares(w.document.pose().positions.size(), 0.0f);
   const auto& drag = w.view.interaction.drag;
   for (const auto& g : drag ? drag->grip().vertices : workspace::grip_of(w).vertices)
     shares[g.vertex] = static_cast<float>(g.share);
@@ -118,21 +118,21 @@ void WorkspaceRenderer::set_another_cage(const document::Document& document, con
 void WorkspaceRenderer::set_cage_faces(const document::Document& document) {
   hand_.reset();
   if (!document.has_cage()) return;
-  const mesh::Surface& cage = document.cage->surface;
+  const mesh::Surface& cage = document.cage()->surface;
   cage_faces_.set_triangles(cage.triangles, cage.positions.size());
   set_shown_edges(document);
-  ghost_lines_.set_segments(document.cage->edges, cage.positions.size());
+  ghost_lines_.set_segments(document.cage()->edges, cage.positions.size());
   ghost_lines_.set_positions(cage.positions);
 }
 
 void WorkspaceRenderer::set_shown_edges(const document::Document& document) {
-  hidden_ = document.groups.hidden;
+  hidden_ = document.groups().hidden;
   const auto hidden = document::hidden_elements(document, document::ElementKind::edge);
   shown_edges_.clear();
   for (std::size_t e = 0; e < hidden.size(); ++e)
-    if (!hidden[e]) shown_edges_.push_back(document.cage->edges[e]);
-  cage_lines_.set_segments(shown_edges_, document.pose.positions.size());
-  cage_lines_.set_positions(document.pose.positions);
+    if (!hidden[e]) shown_edges_.push_back(document.cage()->edges[e]);
+  cage_lines_.set_segments(shown_edges_, document.pose().positions.size());
+  cage_lines_.set_positions(document.pose().positions);
   hand_.reset();
 }
 
@@ -148,7 +148,7 @@ void WorkspaceRenderer::set_model(std::size_t view, std::span<const deform::Fram
 }
 
 void WorkspaceRenderer::set_cage(const workspace::Workspace& w) {
-  const auto& positions = w.document.pose.positions;
+  const auto& positions = w.document.pose().positions;
   cage_faces_.set_positions(positions);
   cage_lines_.set_positions(positions);
   cage_vertices_.set_positions(positions);
@@ -159,17 +159,17 @@ void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
   const render::Theme theme = render::theme(w.view.options.dark);
   const auto& document = w.document;
   // While vertices cannot be selected, they are drawn smaller.
-  const bool vertices = !w.view.tools || document.selection.kind() == document::ElementKind::vertex;
-  const auto selected = w.view.tools ? document::selected_vertices(*document.cage, document.selection)
+  const bool vertices = !w.view.tools || document.selection().kind() == document::ElementKind::vertex;
+  const auto selected = w.view.tools ? document::selected_vertices(*document.cage(), document.selection())
                                      : std::vector<std::uint32_t>{};
   Hand hand{w.view.options.dark, {}, {}};
   auto& discs = hand.discs;
-  discs.assign(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
+  discs.assign(document.pose().positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
   for (const auto v : selected) discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   const std::vector<float> shares = soft_shares(w);
   soften(shares, theme, discs);
-  for (const auto v : document.groups.hidden) discs[v].radius = 0;
-  if (hidden_ != document.groups.hidden) set_shown_edges(document);
+  for (const auto v : document.groups().hidden) discs[v].radius = 0;
+  if (hidden_ != document.groups().hidden) set_shown_edges(document);
   const auto hovered = w.view.tools ? w.view.interaction.hovered : std::nullopt;
   if (vertices && hovered && *hovered < discs.size()) discs[*hovered].ring = true;
   if (!shares.empty()) hand.ends = ramp_of_ends(shares, theme, shown_edges_);
@@ -194,11 +194,11 @@ ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::si
   part.high = (v.origin + (pane.at + pane.size) * v.size) / v.window;
   document::Camera camera = w.view.camera;
   if (const auto pose = workspace::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
-  part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
+  part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space());
   part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.view.split, v, view)));
   part.surface.wireframe = w.view.options.wireframe ? 0.3f : 0.0f;
   // Software rendering omits the back faces of a closed surface. This halves the time.
-  const auto& summary = w.document.model.summary;
+  const auto& summary = w.document.model().summary;
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
   part.surface.paint = paint_of(w.view.options.shading, file_has_looks_);
@@ -212,17 +212,17 @@ ViewDrawing WorkspaceRenderer::drawing(const workspace::Workspace& w, glm::ivec2
   d.size = size, d.scale = scale;
   d.dark = w.view.options.dark;
   const auto& document = w.document;
-  if (!document.model.surface) return d;
+  if (!document.model().surface) return d;
   d.content = content_;
   for (std::size_t view = 0; view < std::min(models_.size(), w.view.split.count()); ++view)
     d.parts.push_back(part(w, view));
   d.model = w.view.options.model, d.grid = w.view.options.grid;
   d.cage = document.has_cage() && w.view.options.cage, d.ghost = w.view.options.ghost;
-  const double diagonal = document.space.diagonal();
-  const auto& c = document.space.center;
+  const double diagonal = document.space().diagonal();
+  const auto& c = document.space().center;
   const int up = w.view.camera.pose().up == document::UpAxis::z ? 2 : 1;
   mesh::Point ground{c[0], c[1], c[2]};
-  ground[static_cast<std::size_t>(up)] = document.model.bounds.low[static_cast<std::size_t>(up)];
+  ground[static_cast<std::size_t>(up)] = document.model().bounds.low[static_cast<std::size_t>(up)];
   d.shadow = {ground, up, diagonal};
   d.ground = {ground, document::grid_cell(diagonal), 1.6 * diagonal, up};
   return d;
@@ -317,7 +317,7 @@ std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const document::Sel
 
 bool CageMarks::set(const workspace::Workspace& w, const render::Theme& theme) {
   Marks marks;
-  marks.positions = w.document.pose.positions;
+  marks.positions = w.document.pose().positions;
   if (w.view.tools) add_faces(w, marks), add_edges(w, theme, marks);
   if (marks == marks_) return false;
   marks_ = std::move(marks);
@@ -336,9 +336,9 @@ void CageMarks::upload() {
 
 void CageMarks::add_faces(const workspace::Workspace& w, Marks& marks) {
   const auto& document = w.document;
-  const auto& surface = document.cage->surface;
-  if (document.selection.kind() != ElementKind::face) return;
-  const auto marked = marks_of(*document.cage, document.selection);
+  const auto& surface = document.cage()->surface;
+  if (document.selection().kind() != ElementKind::face) return;
+  const auto marked = marks_of(*document.cage(), document.selection());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto face = surface.triangle_polygon[t];
     if (marked[face]) marks.selected.push_back(surface.triangles[t]);
@@ -349,16 +349,16 @@ void CageMarks::add_faces(const workspace::Workspace& w, Marks& marks) {
 // Adds the edges of selected elements. Then adds hovered edges, so that they are drawn on top.
 void CageMarks::add_edges(const workspace::Workspace& w, const render::Theme& theme, Marks& marks) {
   const auto& document = w.document;
-  const auto kind = document.selection.kind();
+  const auto kind = document.selection().kind();
   auto& segments = marks.edges;
   const auto add = [&](std::uint32_t element) {
-    add_outline(document::element_vertices(*document.cage, kind, element), segments);
+    add_outline(document::element_vertices(*document.cage(), kind, element), segments);
   };
   if (kind != ElementKind::probe)
-    for (const auto i : document.selection.indices()) add(i);
+    for (const auto i : document.selection().indices()) add(i);
   const std::size_t selected = segments.size();
   const auto hovered = w.view.interaction.hovered;
-  if (hovered && *hovered < document::element_count(*document.cage, kind)) add(*hovered);
+  if (hovered && *hovered < document::element_count(*document.cage(), kind)) add(*hovered);
   marks.colors.assign(segments.size(), glm::vec4(theme.hover, 0.85f));
   std::fill_n(marks.colors.begin(), selected, glm::vec4(theme.selection, 1));
 }
@@ -390,7 +390,7 @@ void FindingMarks::collect(const workspace::Workspace& w) {
   if (w.checks.shown) {
     const document::Finding& finding = w.checks.findings[*w.checks.shown];
     const bool of_cage = finding.subject == document::Subject::cage;
-    const mesh::Surface& surface = of_cage ? *w.document.cage_file.surface : *w.document.model.surface;
+    const mesh::Surface& surface = of_cage ? *w.document.cage_file().surface : *w.document.model().surface;
     vertices = finding.kind == document::ElementKind::vertex;
     for (const auto e : workspace::shown_elements(w.checks, most)) {
       auto corners = document::vertices_of(finding, surface, e);
@@ -421,7 +421,7 @@ bool FindingMarks::set(const workspace::Workspace& w, const document::PosedModel
   std::vector<mesh::Point> positions;
   positions.reserve(used_.size());
   for (const auto v : used_)
-    positions.push_back(of_cage ? w.document.pose.positions[v] : posed.at(*w.document.model.surface, v));
+    positions.push_back(of_cage ? w.document.pose().positions[v] : posed.at(*w.document.model().surface, v));
   faces_.set_positions(positions);
   edges_.set_positions(positions);
   vertices_.set_positions(positions);

@@ -22,7 +22,7 @@ std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base:
 
 ModeComparison ways_of(const Figures& figures, const document::Document& opened, base::Progress& progress) {
   const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
-  return measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
+  return measure_modes(*opened.model().surface, opened.cage(), figures.poses, settings, progress);
 }
 
 }  // namespace
@@ -35,8 +35,8 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
   Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   const document::Document opened = open_model(files.model, files.cage);
   std::vector<std::string> warnings;
-  figures.poses = read_poses(files.poses, *opened.cage, warnings);
-  if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
+  figures.poses = read_poses(files.poses, *opened.cage(), warnings);
+  if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage())});
   const ShapesOfModel shapes = read_shapes_of_model(files.rest, files.shapes);
   const struct {
     double seconds;  // approximate time with default sizes

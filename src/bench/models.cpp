@@ -106,9 +106,9 @@ document::Document open_model(const std::filesystem::path& model, const std::fil
 
 BenchModel::BenchModel(const ModelOptions& options) {
   const document::Document opened = open_model(options.model, options.cage);
-  model = of_size(*opened.model.surface, options.count);
+  model = of_size(*opened.model().surface, options.count);
   if (opened.has_cage()) {
-    cages = {opened.cage};
+    cages = {opened.cage()};
     return;
   }
   for (const std::size_t faces : options.faces)

@@ -180,17 +180,17 @@ nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose
 
 void bench_modes(const ModelOptions& options, ModeSettings settings) {
   const document::Document opened = open_model(options.model, options.cage);
-  const mesh::Surface& model = *opened.model.surface;
-  std::vector<std::string> warnings = opened.cage->warnings;
-  const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
+  const mesh::Surface& model = *opened.model().surface;
+  std::vector<std::string> warnings = opened.cage()->warnings;
+  const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage(), warnings);
   std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
-              base::with_thousands(model.positions.size()).c_str(), opened.cage->surface.triangles.size(),
+              base::with_thousands(model.positions.size()).c_str(), opened.cage()->surface.triangles.size(),
               std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
               processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
   base::Progress progress;
   settings.rounds = options.rounds;
-  const ModeComparison compared = measure_modes(model, opened.cage, poses, settings, progress);
+  const ModeComparison compared = measure_modes(model, opened.cage(), poses, settings, progress);
   print(compared, poses);
   write_json(options.json, to_json(compared, poses));
 }

@@ -17,8 +17,8 @@ float stepped(float share) {
 }
 
 std::vector<float> shares_of(const Document& document) {
-  if (document.mask) return *document.mask;
-  return std::vector<float>(document.model.surface->positions.size(), 1.0f);
+  if (document.mask()) return *document.mask();
+  return std::vector<float>(document.model().surface->positions.size(), 1.0f);
 }
 
 deform::Mask mask_of(const std::vector<float>& shares) {
@@ -48,8 +48,8 @@ struct Hit {
 };
 
 Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
-  const mesh::Surface& model = *document.model.surface;
-  const auto& [center, scale] = document.space;
+  const mesh::Surface& model = *document.model().surface;
+  const auto& [center, scale] = document.space();
   Hit nearest;
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
     std::array<glm::dvec3, 3> corners;
@@ -67,7 +67,7 @@ Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray)
 std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray) {
   const Hit hit = first_hit(document, posed, ray);
   if (!std::isfinite(hit.distance)) return std::nullopt;
-  return document.space.to_file(ray.origin + hit.distance * ray.direction);
+  return document.space().to_file(ray.origin + hit.distance * ray.direction);
 }
 
 std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray) {
@@ -77,11 +77,11 @@ std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedM
 }
 
 MaskStroke::MaskStroke(const Document& document)
-    : before_(state_of(document)), shares_(shares_of(document)), covered_(shares_.size(), 0.0f) {}
+    : before_(document.state()), shares_(shares_of(document)), covered_(shares_.size(), 0.0f) {}
 
 void MaskStroke::dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
                      float share) {
-  const mesh::Surface& model = *document.model.surface;
+  const mesh::Surface& model = *document.model().surface;
   bool painted = false;
   for (std::size_t v = 0; v < shares_.size(); ++v) {
     const mesh::Point p = posed.at(model, v);
@@ -93,16 +93,16 @@ void MaskStroke::dab(Document& document, const PosedModel& posed, const mesh::Po
     shares_[v] = stepped(std::lerp(old, share, cover));
     painted = true;
   }
-  if (painted) document.mask = mask_of(shares_);
+  if (painted) document.put_mask(mask_of(shares_));
 }
 
 void MaskStroke::commit(Document& document) {
-  if (same_mask(document.mask, before_.mask)) return cancel(document);
-  document.history.record("paint", std::move(before_));
+  if (same_mask(document.mask(), before_.mask)) return cancel(document);
+  document.changed_history().record("paint", std::move(before_));
 }
 
 void MaskStroke::cancel(Document& document) const {
-  document.mask = before_.mask;
+  document.put_mask(before_.mask);
 }
 
 bool same_mask(const deform::Mask& a, const deform::Mask& b) {
@@ -111,9 +111,9 @@ bool same_mask(const deform::Mask& a, const deform::Mask& b) {
 
 void set_mask(Document& document, deform::Mask mask, const char* label) {
   if (mask) mask = mask_of(*mask);
-  if (same_mask(mask, document.mask)) return;
+  if (same_mask(mask, document.mask())) return;
   record_edit(document, label);
-  document.mask = std::move(mask);
+  document.put_mask(std::move(mask));
 }
 
 deform::Mask inverted(const Document& document) {

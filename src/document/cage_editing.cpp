@@ -51,22 +51,23 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
-  deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
-  label.empty() ? document.history.extend_last() : record_edit(document, label);
-  carry_poses(document,
-              [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, follow); });
+  deform::Pose real = carried(*document.cage(), real_pose(document), edited, *cage, follow);
+  label.empty() ? document.changed_history().extend_last() : record_edit(document, label);
+  carry_poses(document, [&](const deform::Pose& pose) {
+    return carried(*document.cage(), pose, edited, *cage, follow);
+  });
   const bool editing = is_editing_cage(document);
   std::vector<std::span<const std::uint32_t>> origins;
   for (const cages::Origin& origin : edited.origins) origins.emplace_back(origin.of);
-  CageGroups groups = carried(document.groups, document.cage->surface.positions.size(), origins);
-  const ElementKind kind = document.selection.kind();
-  OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file));
-  if (editing) document.kept_pose = real;
+  CageGroups groups = carried(document.groups(), document.cage()->surface.positions.size(), origins);
+  const ElementKind kind = document.selection().kind();
+  OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file()));
+  if (editing) document.changed_kept_pose() = real;
   document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
-  document.groups = std::move(groups);
+  document.changed_groups() = std::move(groups);
   if (kind == ElementKind::probe) return;
   const Selection made(ElementKind::vertex, edited.selection);
-  document.selection = without_hidden(document, converted(*document.cage, made, kind));
+  document.changed_selection() = without_hidden(document, converted(*document.cage(), made, kind));
 }
 
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
@@ -78,14 +79,14 @@ cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point>
 }
 
 std::vector<mesh::Edge> selected_edges(const Document& document) {
-  const Selection edges = converted(*document.cage, document.selection, ElementKind::edge);
+  const Selection edges = converted(*document.cage(), document.selection(), ElementKind::edge);
   std::vector<mesh::Edge> all;
-  for (const auto e : edges.indices()) all.push_back(document.cage->edges[e]);
+  for (const auto e : edges.indices()) all.push_back(document.cage()->edges[e]);
   return all;
 }
 
 std::vector<std::uint32_t> selected_polygons(const Document& document) {
-  return converted(*document.cage, document.selection, ElementKind::face).indices();
+  return converted(*document.cage(), document.selection(), ElementKind::face).indices();
 }
 
 void require(bool any, const char* what, const char* advice) {
@@ -96,29 +97,30 @@ void require(bool any, const char* what, const char* advice) {
 
 void begin_cage_editing(Document& document) {
   record_edit(document, "edit cage");
-  document.kept_pose = std::exchange(document.changed_pose(), deform::rest_pose(*document.cage));
-  if (document.selection.kind() == ElementKind::probe) document.selection = Selection(ElementKind::vertex);
+  document.changed_kept_pose() = std::exchange(document.changed_pose(), deform::rest_pose(*document.cage()));
+  if (document.selection().kind() == ElementKind::probe)
+    document.changed_selection() = Selection(ElementKind::vertex);
 }
 
 void end_cage_editing(Document& document) {
   record_edit(document, "stop editing cage");
-  document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
+  document.changed_pose() = *std::exchange(document.changed_kept_pose(), std::nullopt);
 }
 
 bool has_moved_rest(const Document& document) {
-  return is_editing_cage(document) && document.pose.positions != document.cage->surface.positions;
+  return is_editing_cage(document) && document.pose().positions != document.cage()->surface.positions;
 }
 
 bool commit_cage_edit(Document& document) {
   if (!has_moved_rest(document)) return false;
   try {
-    const Selection selection = document.selection;
-    put_edited(document, with_positions(document.cage->surface, document.pose.positions), "");
-    document.selection = selection;
+    const Selection selection = document.selection();
+    put_edited(document, with_positions(document.cage()->surface, document.pose().positions), "");
+    document.changed_selection() = selection;
     return true;
   } catch (const base::Error& error) {
     // Undoes the edit that moved the vertices, and later changes of the selection.
-    while (document.history.can_undo() && has_moved_rest(document)) undo(document);
+    while (document.history().can_undo() && has_moved_rest(document)) undo(document);
     throw base::Error("", "the result is not a valid cage: " + error.problem(), "the cage was not changed");
   }
 }
@@ -126,24 +128,24 @@ bool commit_cage_edit(Document& document) {
 void split_selected(Document& document) {
   const auto edges = selected_edges(document);
   require(!edges.empty(), "no edge of the cage is selected", "select edges, or both end vertices of an edge");
-  put_edited(document, cages::split_edges(document.cage->surface, edges), "split edges");
+  put_edited(document, cages::split_edges(document.cage()->surface, edges), "split edges");
 }
 
 void cut_selected(Document& document) {
   const auto polygons = selected_polygons(document);
   require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
-  put_edited(document, cages::cut_polygons(document.cage->surface, polygons), "cut faces");
+  put_edited(document, cages::cut_polygons(document.cage()->surface, polygons), "cut faces");
 }
 
 void merge_selected(Document& document) {
-  const auto vertices = selected_vertices(*document.cage, document.selection);
+  const auto vertices = selected_vertices(*document.cage(), document.selection());
   require(vertices.size() > 1, "fewer than two vertices are selected", "select the vertices to merge");
-  put_edited(document, cages::merge_vertices(document.cage->surface, vertices), "merge vertices");
+  put_edited(document, cages::merge_vertices(document.cage()->surface, vertices), "merge vertices");
 }
 
 void remove_selected(Document& document) {
-  const mesh::Surface& cage = document.cage->surface;
-  const Selection& selection = document.selection;
+  const mesh::Surface& cage = document.cage()->surface;
+  const Selection& selection = document.selection();
   const auto put = [&](cages::Edited edited, const char* label) {
     require(edited.surface.corners != cage.corners,
             "the boundary around the selection is not a single loop, so the selection cannot be removed",
@@ -161,43 +163,44 @@ void extrude_selected(Document& document) {
   constexpr double distance = 0.05;  // relative to the cage's diagonal
   const auto polygons = selected_polygons(document);
   require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
-  put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
+  put_edited(document,
+             cages::extrude(document.cage()->surface, polygons, distance * document.cage()->diagonal),
              "extrude faces");
 }
 
 void subdivide_cage(Document& document) {
   constexpr std::size_t most_vertices = 20000;
-  require(document.cage->surface.positions.size() < most_vertices / 4,
+  require(document.cage()->surface.positions.size() < most_vertices / 4,
           "the cage would have too many vertices", "a cage may have at most 20,000 vertices");
-  put_edited(document, cages::subdivide(document.cage->surface), "subdivide cage");
+  put_edited(document, cages::subdivide(document.cage()->surface), "subdivide cage");
 }
 
 void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
-  cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
+  cages::Plane plane{{0, 0, 0}, document.model().bounds.center()[axis]};
   plane.normal[axis] = 1;
   // If vertices are selected, keeps the side of the plane with most of the selection.
-  const auto& rest = document.cage->surface.positions;
+  const auto& rest = document.cage()->surface.positions;
   double sum = 0;
-  for (const auto v : selected_vertices(*document.cage, document.selection))
+  for (const auto v : selected_vertices(*document.cage(), document.selection()))
     sum += rest[v][axis] - plane.offset;
   if (sum < 0) plane = {-1 * plane.normal, -plane.offset};
-  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror cage", {plane});
+  put_edited(document, cages::mirrored(document.cage()->surface, plane), "mirror cage", {plane});
 }
 
 void fit_cage(Document& document) {
-  require(document.model.bounds.diagonal() > 0, "the model is a single point, so no cage can be fitted",
+  require(document.model().bounds.diagonal() > 0, "the model is a single point, so no cage can be fitted",
           "move the cage yourself");
-  const mesh::Surface& cage = document.cage->surface;
-  cages::Fitted fitted = cages::fitted_to_box(cage, *document.model.surface, fit_margin);
+  const mesh::Surface& cage = document.cage()->surface;
+  cages::Fitted fitted = cages::fitted_to_box(cage, *document.model().surface, fit_margin);
   put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit cage to model",
              {{}, fitted.scale});
 }
 
 std::size_t enclose_model(Document& document) {
-  const mesh::Surface& cage = document.cage->surface;
-  require(document.cage->closed, "the cage is open, so it has no inside", "close its holes first");
-  cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
+  const mesh::Surface& cage = document.cage()->surface;
+  require(document.cage()->closed, "the cage is open, so it has no inside", "close its holes first");
+  cages::Enclosing enclosing = cages::enclose(cage, *document.model().surface, snug_margin);
   if (enclosing.positions != cage.positions)
     put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose model");
   return enclosing.left;

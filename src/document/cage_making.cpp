@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 constexpr EditStep make_cage{EditKind::cage};
 
 bool shows_generated(const Document& document, const CageMaking& making) {
-  return making.made && document.cage == making.made;
+  return making.made && document.cage() == making.made;
 }
 
 bool can_replace_generated(const Document& document, const CageMaking& making) {
-  return shows_generated(document, making) && document.history.last_step() == make_cage;
+  return shows_generated(document, making) && document.history().last_step() == make_cage;
 }
 
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
@@ -29,17 +29,17 @@ void put_generated(Document& document, CageMaking& making, OpenedSurface surface
   making.made = cage;
   making.notes = std::move(notes);
   if (!again) making.lost.clear();
-  if (const std::string lost = lost_sets(document.groups, {}); !lost.empty())
+  if (const std::string lost = lost_sets(document.groups(), {}); !lost.empty())
     making.lost.push_back("Selection sets of the previous cage were removed: " + lost +
                           "; undo restores them");
   if (const std::string lost = drop_poses(document, *cage); !lost.empty())
     making.lost.push_back("Poses of the previous cage were removed: " + lost + "; undo restores them");
-  document.kept_pose.reset();
+  document.changed_kept_pose().reset();
   document.replace_cage(std::move(surface), std::move(cage), std::move(pose));
 }
 
 void cancel_making(Document& document, CageMaking& making) {
-  while (making.made && document.cage != making.before && document.history.can_undo()) undo(document);
+  while (making.made && document.cage() != making.before && document.history().can_undo()) undo(document);
   making = {.wish = making.wish};
 }
 

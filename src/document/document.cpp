@@ -49,21 +49,21 @@ void check_pose(const std::string& place, const WholePose& pose, const SizeRange
 }
 
 void check_sizes(const Document& document, const SizeRange& range) {
-  for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
+  for (const OpenedSurface* opened : {&document.model(), &document.cage_file()}) {
     if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
   }
   const auto check_keys = [&](const char* what, const std::vector<PoseKey>& keys) {
     for (const PoseKey& key : keys) check_pose(what + std::to_string(key.frame), *key.pose, range);
   };
-  for (const NamedPose& named : document.library.poses)
+  for (const NamedPose& named : document.library().poses)
     check_pose("the pose " + formats::in_quotes(named.name), *named.pose, range);
-  check_keys("the key at frame ", document.timeline.keys);
-  check_keys("the unkeyed pose at frame ", document.timeline.unkeyed);
-  if (document.library.unmixed)
-    check_pose("the pose without weighted poses", *document.library.unmixed, range);
-  if (document.shape) check_pose("the shape of the model", *document.shape, range);
-  if (document.cage_file.surface)
-    check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
+  check_keys("the key at frame ", document.timeline().keys);
+  check_keys("the unkeyed pose at frame ", document.timeline().unkeyed);
+  if (document.library().unmixed)
+    check_pose("the pose without weighted poses", *document.library().unmixed, range);
+  if (document.shape()) check_pose("the shape of the model", *document.shape(), range);
+  if (document.cage_file().surface)
+    check_pose("the pose of " + place_of(document.cage_file()), document.pose().positions, range);
 }
 
 void put_surface(OpenedSurface& opened, mesh::Surface surface) {
@@ -131,11 +131,23 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   return opened;
 }
 
-Document document_of(OpenedSurface model) {
-  Document document;
-  document.model = std::move(model);
-  document.space = space_for(document.model.bounds);
-  return document;
+Document::Document(OpenedSurface model) {
+  put_model(std::move(model));
+}
+
+void Document::put_model(OpenedSurface model) {
+  opened_.space = space_for(model.bounds);
+  opened_.model = std::move(model);
+  ++revisions_.surfaces;
+}
+
+Document Document::without_history() const {
+  Document copy;
+  copy.state_ = state_;
+  copy.opened_ = opened_;
+  copy.carried_ = carried_;
+  copy.revisions_ = revisions_;
+  return copy;
 }
 
 void check_drawable(const Document& document) {
@@ -146,35 +158,36 @@ void check_drawable(const Document& document) {
 // to 1e76. The limits are narrower, because triangles are smaller than the model.
 void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
-  formats::check_deformable(document.model.path, document.model.original.get());
+  formats::check_deformable(document.model().path, document.model().original.get());
 }
 
-void set_cage(Document& document, OpenedSurface cage) {
+void set_cage(Document& document, OpenedSurface surface) {
+  std::shared_ptr<const deform::Cage> cage;
   try {
-    document.cage = std::make_shared<const deform::Cage>(deform::make_cage(*cage.surface));
+    cage = std::make_shared<const deform::Cage>(deform::make_cage(*surface.surface));
   } catch (const deform::FinError& error) {
-    throw deform::FinError(place_of(cage), error.problem(), error.advice());
+    throw deform::FinError(place_of(surface), error.problem(), error.advice());
   } catch (const base::Error& error) {
-    throw base::Error(place_of(cage), error.problem(), error.advice());
+    throw base::Error(place_of(surface), error.problem(), error.advice());
   }
-  document.cage_file = std::move(cage);
-  if (!document.cage_file.path.empty()) document.also_read.push_back({document.cage_file.path, the_cage});
-  document.pose = deform::rest_pose(*document.cage);
-  document.selection.clear();
-  document.groups = {};
-  document.history = {};
+  if (!surface.path.empty()) document.changed_also_read().push_back({surface.path, the_cage});
+  deform::Pose rest = deform::rest_pose(*cage);
+  document.replace_cage(std::move(surface), std::move(cage), std::move(rest));
+  document.changed_selection().clear();
+  document.changed_history() = {};
 }
 
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
                        base::Progress* progress) {
-  Document document = document_of(open_surface(model, progress));
+  Document document(open_surface(model, progress));
   if (!cage.empty()) set_cage(document, open_surface(cage));
   return document;
 }
 
 bool Document::has_shapes() const {
   const auto has_one = [](const auto& keyed) { return keyed.pose->shape != nullptr; };
-  return shape || std::ranges::any_of(library.poses, has_one) || std::ranges::any_of(timeline.keys, has_one);
+  return shape() || std::ranges::any_of(library().poses, has_one) ||
+         std::ranges::any_of(timeline().keys, has_one);
 }
 
 void Document::mark_replacing(const Document& other) {
@@ -184,75 +197,78 @@ void Document::mark_replacing(const Document& other) {
 }
 
 void Document::replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed) {
-  cage_file = std::move(file);
-  cage = std::move(by);
+  state_.cage_file = std::move(file);
+  state_.cage = std::move(by);
   changed_pose() = std::move(posed);
-  if (selection.kind() != ElementKind::probe) selection.clear();
-  groups = {};
-  carried.clear();
+  if (selection().kind() != ElementKind::probe) state_.selection.clear();
+  state_.groups = {};
+  carried_.clear();
   ++revisions_.cage;
 }
 
+void Document::put_saved_cage(const std::filesystem::path& file) {
+  state_.cage_file.path = file;
+  state_.cage_file.made.clear();
+  state_.cage_file.format = "saved here";
+}
+
 void Document::put_scheme(const deform::Scheme& other) {
-  const deform::Scheme old = std::exchange(scheme, other);
-  if (old.weighting != scheme.weighting) ++revisions_.weights;
-  if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements ||
-      old.amounts != scheme.amounts || old.iterations != scheme.iterations || old.holding != scheme.holding)
+  const deform::Scheme old = std::exchange(state_.scheme, other);
+  if (old.weighting != other.weighting) ++revisions_.weights;
+  if (old.blend != other.blend || old.weighting.elements != other.weighting.elements ||
+      old.amounts != other.amounts || old.iterations != other.iterations || old.holding != other.holding)
     ++revisions_.method;
 }
 
 void Document::put_method(sym3::Method other) {
-  if (std::exchange(method, other) != other) ++revisions_.method;
+  if (std::exchange(opened_.method, other) != other) ++revisions_.method;
 }
 
 void Document::restore(DocumentState&& state) {
-  if (cage != state.cage) ++revisions_.cage;
-  const deform::Scheme restored = std::exchange(state.scheme, scheme);
-  static_cast<DocumentState&>(*this) = std::move(state);
-  ++revisions_.pose, ++revisions_.whole;
-  carried.clear();
+  if (cage() != state.cage) ++revisions_.cage;
+  const deform::Scheme restored = std::exchange(state.scheme, scheme());
+  state_ = std::move(state);
+  ++revisions_.pose;
+  ++revisions_.whole;
+  carried_.clear();
   put_scheme(restored);
 }
 
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen) {
-  const deform::Scheme scheme = deform::scheme_of(asked, document.scheme, chosen);
+  const deform::Scheme scheme = deform::scheme_of(asked, document.scheme(), chosen);
   if (asked.method) document.put_method(*asked.method);
   document.put_scheme(scheme);
 }
 
-DocumentState state_of(const Document& document) {
-  return document;
-}
-
 mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex) {
-  return document.shape ? (*document.shape)[vertex] : document.model.surface->positions[vertex];
+  return document.shape() ? (*document.shape())[vertex] : document.model().surface->positions[vertex];
 }
 
 Carried carried_probe(const Document& document, std::size_t i) {
-  return i < document.carried.size() ? document.carried[i] : Carried{document.probes.all[i].place};
+  return i < document.carried().size() ? document.carried()[i] : Carried{document.probes().all[i].place};
 }
 
 mesh::Point probe_center(const Document& document, std::size_t i) {
   const Carried carried = carried_probe(document, i);
-  return carried.place + deform::times(carried.map, document.probes.all[i].pose.move);
+  return carried.place + deform::times(carried.map, document.probes().all[i].pose.move);
 }
 
 mesh::Point pinned_vertex(const Document& document, std::size_t i) {
   const Carried carried = carried_probe(document, i);
-  const deform::Probe& probe = document.probes.all[i];
+  const deform::Probe& probe = document.probes().all[i];
   return carried.place +
          deform::times(carried.map, shape_of_vertex(document, probe.pin->vertex) - probe.place);
 }
 
 std::vector<mesh::Point> probe_centers(const Document& document) {
   std::vector<mesh::Point> centers;
-  for (std::size_t i = 0; i < document.probes.all.size(); ++i) centers.push_back(probe_center(document, i));
+  for (std::size_t i = 0; i < document.probes().all.size(); ++i) centers.push_back(probe_center(document, i));
   return centers;
 }
 
 std::string binding_plan(const Document& document, const deform::Weighting& weighting) {
-  const std::size_t vertices = document.model.surface->positions.size();
-  const std::size_t handles = deform::handle_count(*document.cage, weighting.elements);
+  const std::size_t vertices = document.model().surface->positions.size();
+  const std::size_t handles = deform::handle_count(*document.cage(), weighting.elements);
   const std::size_t bytes = deform::binding_bytes(vertices, handles, deform::EngineKind::fused, weighting);
   return "Binding " + base::with_thousands(vertices) + " vertices to " + base::with_thousands(handles) + ' ' +
          std::string(deform::name(weighting.elements)) + ", " + base::memory_size(static_cast<double>(bytes));

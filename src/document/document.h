@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -55,51 +56,112 @@ struct Carried {
   sym3::Mat3<double> map{1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
-struct Document : DocumentState {
-  OpenedSurface model;
-  std::filesystem::path cage_beside;  ///< a possible cage; see cage_beside() in document/cage_making.h
-  std::vector<FileInUse> also_read;   ///< files of poses, keys and replaced cages
-  std::vector<Carried> carried;  ///< one per probe, for the last drawn picture; missing probes are at rest
-  History history;
-  sym3::Method method = sym3::Method::fast;
-  Space space;
+/// Only edits change a document: each setter increases the revision of what it changes. record.h makes an
+/// edit undoable. The state is what undo restores.
+class Document {
+public:
+  Document() = default;
+  explicit Document(OpenedSurface model);
 
-  bool has_cage() const { return cage != nullptr; }
-  bool is_movable() const { return has_cage() || !probes.empty() || has_shapes(); }
+  const DocumentState& state() const { return state_; }
+  const std::shared_ptr<const deform::Cage>& cage() const { return state_.cage; }
+  const OpenedSurface& cage_file() const { return state_.cage_file; }
+  const deform::Pose& pose() const { return state_.pose; }
+  const SharedShape& shape() const { return state_.shape; }
+  const std::optional<deform::Pose>& kept_pose() const { return state_.kept_pose; }
+  const deform::Scheme& scheme() const { return state_.scheme; }
+  const deform::Mask& mask() const { return state_.mask; }
+  const deform::Probes& probes() const { return state_.probes; }
+  const Selection& selection() const { return state_.selection; }
+  const CageGroups& groups() const { return state_.groups; }
+  const PoseLibrary& library() const { return state_.library; }
+  const Timeline& timeline() const { return state_.timeline; }
+  double frame() const { return state_.frame; }
+
+  const OpenedSurface& model() const { return opened_.model; }
+  /// A possible cage; see cage_beside() in document/cage_making.h.
+  const std::filesystem::path& cage_beside() const { return opened_.cage_beside; }
+  /// Files of poses, keys and replaced cages.
+  const std::vector<FileInUse>& also_read() const { return opened_.also_read; }
+  sym3::Method method() const { return opened_.method; }
+  const Space& space() const { return opened_.space; }
+  const History& history() const { return history_; }
+  const Revisions& revisions() const { return revisions_; }
+  /// One per probe, for the last drawn picture; missing probes are at rest.
+  const std::vector<Carried>& carried() const { return carried_; }
+
+  bool has_cage() const { return state_.cage != nullptr; }
+  bool is_movable() const { return has_cage() || !probes().empty() || has_shapes(); }
   /// True if the model, a pose or a key has a shape.
   bool has_shapes() const;
+  /// A copy for background work. The history can be large, so the copy has none.
+  Document without_history() const;
 
-  const Revisions& revisions() const { return revisions_; }
   /// Marks everything as changed. Call this after this document replaced the open document `other`.
   void mark_replacing(const Document& other);
 
   /// Give write access. Each call increases the revision.
-  deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
-  deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
+  deform::Pose& changed_pose() { return ++revisions_.pose, state_.pose; }
+  deform::Probes& changed_probes() { return ++revisions_.pose, state_.probes; }
+  /// Give write access to what no revision counts.
+  std::optional<deform::Pose>& changed_kept_pose() { return state_.kept_pose; }
+  Selection& changed_selection() { return state_.selection; }
+  CageGroups& changed_groups() { return state_.groups; }
+  PoseLibrary& changed_library() { return state_.library; }
+  Timeline& changed_timeline() { return state_.timeline; }
+  History& changed_history() { return history_; }
+  std::vector<FileInUse>& changed_also_read() { return opened_.also_read; }
+
+  void put_frame(double frame) { state_.frame = frame; }
+  void put_mask(deform::Mask mask) { state_.mask = std::move(mask); }
   /// Sets the shape from the timeline, the pose list or undo. Null is the rest shape.
-  void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose, ++revisions_.whole; }
+  void put_shape(SharedShape other) {
+    state_.shape = std::move(other), ++revisions_.pose, ++revisions_.whole;
+  }
   /// Sets the shape from pin posing.
-  void put_posed_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
+  void put_posed_shape(SharedShape other) { state_.shape = std::move(other), ++revisions_.pose; }
+  /// Replaces the model. The cage stays.
+  void put_model(OpenedSurface model);
   /// Replaces the cage and its pose. Clears selected cage elements, hidden vertices and named sets.
   void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
+  /// Set the file of the cage or the model after it was saved.
+  void put_saved_cage(const std::filesystem::path& file);
+  void put_saved_model(const std::filesystem::path& file) { opened_.model.path = file; }
+  void put_cage_beside(std::filesystem::path file) { opened_.cage_beside = std::move(file); }
   /// Change a setting without recording an edit.
   void put_scheme(const deform::Scheme& other);
   void put_method(sym3::Method other);
   void restore(DocumentState&& state);
 
+  /// The frame reports what it has drawn: the whole turns of the pose, and the places of probes.
+  void put_drawn_turns(std::vector<mesh::Vec3> turns) { state_.pose.turns = std::move(turns); }
+  void put_carried(std::vector<Carried> carried) { carried_ = std::move(carried); }
+
 private:
+  // What opening files sets, and the method. Undo does not change it.
+  struct Opened {
+    OpenedSurface model;
+    std::filesystem::path cage_beside;
+    std::vector<FileInUse> also_read;
+    sym3::Method method = sym3::Method::fast;
+    Space space;
+  };
+
+  DocumentState state_;
+  Opened opened_;
+  History history_;
+  std::vector<Carried> carried_;
   Revisions revisions_;
 };
 
 /// Reads and summarizes a surface. `progress` may be null. Throws base::Error and base::Cancelled.
 OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress = nullptr);
 
-Document document_of(OpenedSurface model);
 /// Throws base::Error if GPUs cannot draw the model, the cage or a pose with float numbers: if a size or a
 /// coordinate is above 1e32, or a size is below 1e-32.
 void check_drawable(const Document& document);
-/// Throws base::Error if a size is above 1e60 or below 1e-60: the deformation would overflow or underflow. Also
-/// for a capture; see formats::check_deformable().
+/// Throws base::Error if a size is above 1e60 or below 1e-60: the deformation would overflow or underflow.
+/// Also for a capture; see formats::check_deformable().
 void check_deformable(const Document& document);
 /// Sets the cage at rest and clears the history. Throws base::Error or deform::FinError for invalid cages.
 void set_cage(Document& document, OpenedSurface cage);
@@ -117,17 +179,15 @@ struct RequestedSettings : deform::AskedScheme {
 /// Applies the settings without recording an edit. deform::scheme_of() describes `chosen` and the errors.
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
-DocumentState state_of(const Document& document);
-
 /// True during cage editing (cage_editing.h). During cage editing, document.pose is the rest shape that the
 /// user edits, and document.kept_pose is the cage's pose.
 inline bool is_editing_cage(const Document& document) {
-  return document.kept_pose.has_value();
+  return document.kept_pose().has_value();
 }
 
 /// Returns the cage's pose, during cage editing too.
 inline const deform::Pose& real_pose(const Document& document) {
-  return document.kept_pose ? *document.kept_pose : document.pose;
+  return document.kept_pose() ? *document.kept_pose() : document.pose();
 }
 
 /// Returns the position of a vertex in the model's shape.

@@ -20,7 +20,7 @@ EditStep binding_step(Setting setting) {
 
 template <class Place, class Value>
 void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
-  deform::Scheme scheme = document.scheme;
+  deform::Scheme scheme = document.scheme();
   if (std::exchange(*place(scheme), value) == value) return;
   record_step(document, label, step);
   document.put_scheme(scheme);
@@ -30,39 +30,41 @@ void slide(Document& document, const char* label, EditStep step, const Value& va
 
 bool differs_from_rest(const Document& document) {
   const auto acts = [](const deform::Probe& p) { return !p.locked && p.pose != deform::ProbePose{}; };
-  if (document.shape || std::ranges::any_of(document.probes.all, acts)) return true;
+  if (document.shape() || std::ranges::any_of(document.probes().all, acts)) return true;
   if (!document.has_cage()) return false;
   const auto turned = [](const deform::Vec3& t) { return mesh::squared_norm(t) > 1; };
-  return document.pose.positions != document.cage->surface.positions ||
-         std::ranges::any_of(document.pose.turns, turned);
+  return document.pose().positions != document.cage()->surface.positions ||
+         std::ranges::any_of(document.pose().turns, turned);
 }
 
 void reset_pose(Document& document) {
   record_edit(document, "reset pose");
   end_mix(document);
   document.put_shape(nullptr);
-  if (document.has_cage()) document.changed_pose() = deform::rest_pose(*document.cage);
+  if (document.has_cage()) document.changed_pose() = deform::rest_pose(*document.cage());
   for (deform::Probe& probe : document.changed_probes().all) {
     if (!probe.locked) probe.pose = {};
   }
 }
 
 void reset_selected(Document& document, const Mirror* mirror) {
-  if (document.selection.kind() == ElementKind::probe) return rest_probes(document);
+  if (document.selection().kind() == ElementKind::probe) return rest_probes(document);
   record_edit(document, "reset selected");
-  const auto vertices = with_partners(selected_vertices(*document.cage, document.selection), mirror);
+  const auto vertices = with_partners(selected_vertices(*document.cage(), document.selection()), mirror);
   auto& positions = document.changed_pose().positions;
-  for (const auto v : without_hidden(document, vertices)) positions[v] = document.cage->surface.positions[v];
+  for (const auto v : without_hidden(document, vertices))
+    positions[v] = document.cage()->surface.positions[v];
 }
 
 void select_kind(Document& document, ElementKind kind) {
-  const bool of_cage = kind != ElementKind::probe && document.selection.kind() != ElementKind::probe;
-  set_selection(document, document.has_cage() && of_cage ? converted(*document.cage, document.selection, kind)
-                                                         : Selection(kind));
+  const bool of_cage = kind != ElementKind::probe && document.selection().kind() != ElementKind::probe;
+  set_selection(document, document.has_cage() && of_cage
+                              ? converted(*document.cage(), document.selection(), kind)
+                              : Selection(kind));
 }
 
 void set_scheme(Document& document, const deform::Scheme& scheme) {
-  if (document.scheme == scheme) return;
+  if (document.scheme() == scheme) return;
   record_edit(document, "change blending", binding_step(Setting::blending));
   document.put_scheme(scheme);
 }
@@ -88,7 +90,7 @@ void set_holding(Document& document, const deform::Holding& holding) {
 }
 
 void revert_scheme(Document& document, const deform::Scheme& instead) {
-  History& history = document.history;
+  History& history = document.changed_history();
   const auto last = history.last_step();
   if (last && last->kind == EditKind::binding) {
     history.drop_last();

@@ -60,8 +60,8 @@ std::size_t element_count(const deform::Cage& cage, ElementKind kind) {
 }
 
 std::size_t element_count(const Document& document, ElementKind kind) {
-  if (kind == ElementKind::probe) return document.probes.all.size();
-  return document.has_cage() ? element_count(*document.cage, kind) : 0;
+  if (kind == ElementKind::probe) return document.probes().all.size();
+  return document.has_cage() ? element_count(*document.cage(), kind) : 0;
 }
 
 std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKind kind, std::uint32_t index) {
@@ -75,10 +75,10 @@ std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKin
 
 mesh::Point element_middle(const Document& document, ElementKind kind, std::uint32_t index) {
   if (kind == ElementKind::probe) return probe_center(document, index);
-  const auto vertices = element_vertices(*document.cage, kind, index);
+  const auto vertices = element_vertices(*document.cage(), kind, index);
   mesh::Point sum{0, 0, 0};
   const double share = 1 / static_cast<double>(vertices.size());
-  for (const auto v : vertices) sum = sum + share * document.pose.positions[v];
+  for (const auto v : vertices) sum = sum + share * document.pose().positions[v];
   return sum;
 }
 
@@ -135,22 +135,22 @@ std::string counted(ElementKind kind, std::size_t count) {
 namespace {
 
 Selection hidden_of(const Document& document, ElementKind kind) {
-  const auto& hidden = document.groups.hidden;
+  const auto& hidden = document.groups().hidden;
   if (kind == ElementKind::probe || !document.has_cage() || hidden.empty()) return Selection(kind);
   if (kind == ElementKind::vertex) return Selection(kind, hidden);
-  return within(*document.cage, kind, marked(document.cage->surface.positions.size(), hidden));
+  return within(*document.cage(), kind, marked(document.cage()->surface.positions.size(), hidden));
 }
 
 // Sets the hidden vertices, and deselects hidden elements. Both changes form one edit.
 void put_hidden(Document& document, std::vector<std::uint32_t> hidden, const char* label) {
-  if (hidden == document.groups.hidden) return;
+  if (hidden == document.groups().hidden) return;
   record_edit(document, label);
-  document.groups.hidden = std::move(hidden);
-  document.selection = without_hidden(document, std::move(document.selection));
+  document.changed_groups().hidden = std::move(hidden);
+  document.changed_selection() = without_hidden(document, std::move(document.changed_selection()));
 }
 
 bool has_name(const Document& document, const std::string& name) {
-  return std::ranges::count(document.groups.sets, name, &NamedSet::name) > 0;
+  return std::ranges::count(document.groups().sets, name, &NamedSet::name) > 0;
 }
 
 std::string free_name(const Document& document) {
@@ -172,20 +172,20 @@ Selection without_hidden(const Document& document, Selection selection) {
 }
 
 std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<std::uint32_t> vertices) {
-  const auto& hidden = document.groups.hidden;
+  const auto& hidden = document.groups().hidden;
   std::erase_if(vertices, [&](auto v) { return std::ranges::binary_search(hidden, v); });
   return vertices;
 }
 
 void hide_selected(Document& document) {
-  Selection hidden(ElementKind::vertex, document.groups.hidden);
-  hidden.apply(selected_vertices(*document.cage, document.selection), SelectMode::add);
+  Selection hidden(ElementKind::vertex, document.groups().hidden);
+  hidden.apply(selected_vertices(*document.cage(), document.selection()), SelectMode::add);
   put_hidden(document, hidden.indices(), "hide selected");
 }
 
 void hide_others(Document& document) {
-  Selection hidden(ElementKind::vertex, selected_vertices(*document.cage, document.selection));
-  hidden.invert(document.cage->surface.positions.size());
+  Selection hidden(ElementKind::vertex, selected_vertices(*document.cage(), document.selection()));
+  hidden.invert(document.cage()->surface.positions.size());
   put_hidden(document, hidden.indices(), "hide unselected");
 }
 
@@ -195,17 +195,17 @@ void show_all(Document& document) {
 
 void save_set(Document& document) {
   record_edit(document, "save selection set");
-  document.groups.sets.push_back({free_name(document), document.selection.kind(),
-                                  selected_vertices(*document.cage, document.selection)});
+  document.changed_groups().sets.push_back({free_name(document), document.selection().kind(),
+                                            selected_vertices(*document.cage(), document.selection())});
 }
 
 void select_set(Document& document, std::size_t set, SelectMode mode) {
-  const NamedSet& named = document.groups.sets[set];
+  const NamedSet& named = document.groups().sets[set];
   const Selection vertices(ElementKind::vertex, named.vertices);
-  const Selection elements = converted(*document.cage, vertices, named.kind);
-  Selection now = mode == SelectMode::replace || document.selection.kind() == ElementKind::probe
+  const Selection elements = converted(*document.cage(), vertices, named.kind);
+  Selection now = mode == SelectMode::replace || document.selection().kind() == ElementKind::probe
                       ? Selection(named.kind)
-                      : converted(*document.cage, document.selection, named.kind);
+                      : converted(*document.cage(), document.selection(), named.kind);
   now.apply(elements.indices(), mode);
   set_selection(document, std::move(now));
 }
@@ -213,12 +213,12 @@ void select_set(Document& document, std::size_t set, SelectMode mode) {
 void rename_set(Document& document, std::size_t set, const std::string& name) {
   if (name.empty() || has_name(document, name)) return;
   record_edit(document, "rename selection set");
-  document.groups.sets[set].name = name;
+  document.changed_groups().sets[set].name = name;
 }
 
 void remove_set(Document& document, std::size_t set) {
   record_edit(document, "delete selection set");
-  document.groups.sets.erase(document.groups.sets.begin() + static_cast<std::ptrdiff_t>(set));
+  document.changed_groups().sets.erase(document.groups().sets.begin() + static_cast<std::ptrdiff_t>(set));
 }
 
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
@@ -250,12 +250,13 @@ std::string lost_sets(const CageGroups& before, const CageGroups& after) {
 }
 
 std::vector<std::uint32_t> moving_vertices(const Document& document) {
-  if (document.selection.kind() == ElementKind::probe) return {};
-  return without_hidden(document, selected_vertices(*document.cage, document.selection));
+  if (document.selection().kind() == ElementKind::probe) return {};
+  return without_hidden(document, selected_vertices(*document.cage(), document.selection()));
 }
 
 void set_selection(Document& document, Selection selection) {
-  const Selection before = std::exchange(document.selection, without_hidden(document, std::move(selection)));
+  const Selection before =
+      std::exchange(document.changed_selection(), without_hidden(document, std::move(selection)));
   record_selection(document, before);
 }
 

@@ -18,9 +18,9 @@ constexpr double no_step = 1e-5;  // a shorter step ends the iteration
 // Returns the named poses that have a shape and in which the cage is at rest.
 std::vector<SharedPose> examples_of(const Document& document) {
   std::vector<SharedPose> examples;
-  for (const NamedPose& named : document.library.poses) {
+  for (const NamedPose& named : document.library().poses) {
     const bool moves_cage =
-        document.has_cage() && named.pose->cage.positions != document.cage->surface.positions;
+        document.has_cage() && named.pose->cage.positions != document.cage()->surface.positions;
     if (named.pose->shape && !moves_cage) examples.push_back(named.pose);
   }
   return examples;
@@ -29,23 +29,23 @@ std::vector<SharedPose> examples_of(const Document& document) {
 std::vector<double> weights_of(const Document& document, std::span<const SharedPose> examples) {
   std::vector<double> weights;
   for (const SharedPose& example : examples)
-    weights.push_back(std::ranges::find(document.library.poses, example, &NamedPose::pose)->weight);
+    weights.push_back(std::ranges::find(document.library().poses, example, &NamedPose::pose)->weight);
   return weights;
 }
 
 // True if the shape is the weighted sum of the examples.
 bool is_mix(const Document& document) {
-  const PoseLibrary& library = document.library;
-  if (!library.mixes()) return !document.shape;
+  const PoseLibrary& library = document.library();
+  if (!library.mixes()) return !document.shape();
   return library.mixed && library.unmixed && !library.unmixed->shape &&
-         same_shape(library.mixed->shape, document.shape);
+         same_shape(library.mixed->shape, document.shape());
 }
 
 }  // namespace
 
 PinPosing::Pins PinPosing::pins_of(const Document& document) {
   Pins now;
-  for (const deform::Probe& probe : document.probes.all) {
+  for (const deform::Probe& probe : document.probes().all) {
     if (!probe.pin) continue;
     now.pins.push_back(*probe.pin);
     now.targets.push_back(probe.place + probe.pose.move);
@@ -54,7 +54,7 @@ PinPosing::Pins PinPosing::pins_of(const Document& document) {
 }
 
 bool PinPosing::is_current(const Document& document) const {
-  return posing_ && document.shape == shown_ && examples_of(document) == examples_;
+  return posing_ && document.shape() == shown_ && examples_of(document) == examples_;
 }
 
 bool PinPosing::follow(Document& document, VectorCache& vectors, const Hand& hand) {
@@ -85,7 +85,7 @@ bool PinPosing::follow(Document& document, VectorCache& vectors, const Hand& han
 
 void PinPosing::begin(const Document& document, VectorCache& known) {
   if (!pool_) pool_ = std::make_shared<base::WorkerPool>();
-  known.follow_model(document.model.surface);
+  known.follow_model(document.model().surface);
   posing_.reset();
   space_ = known.shapes(*pool_);
   examples_ = examples_of(document);
@@ -99,16 +99,16 @@ void PinPosing::begin(const Document& document, VectorCache& known) {
 // If the current shape is not a mix of the examples, adds the shape as an example with weight 1.
 void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<double> weights = weights_of(document, examples_);
-  if (!is_mix(document) && document.shape) {
+  if (!is_mix(document) && document.shape()) {
     deform::ShapeReport report;
     weights.assign(weights.size(), 0);
     weights.push_back(1);
-    vectors_.push_back(known.of(document.shape, nullptr, *pool_, report));
+    vectors_.push_back(known.of(document.shape(), nullptr, *pool_, report));
   }
   std::vector<const deform::LogVector*> vectors;
   for (const auto& vector : vectors_) vectors.push_back(vector.get());
   posing_ = std::make_shared<deform::ExamplePosing>(*space_, std::move(vectors), *pool_);
-  posing_->begin(std::move(weights), document.shape ? *document.shape : space_->rest());
+  posing_->begin(std::move(weights), document.shape() ? *document.shape() : space_->rest());
 }
 
 void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
@@ -128,7 +128,7 @@ void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
     steps_left_ = most_steps;
     return;
   }
-  document.history.extend_last();
+  document.changed_history().extend_last();
   steps_left_ = length < no_step ? 0 : steps_left_ - 1;
 }
 
@@ -139,7 +139,7 @@ void PinPosing::show(Document& document) {
   keep_flat(*space_, terms, positions);
   shown_ = std::make_shared<const std::vector<mesh::Point>>(std::move(positions));
   document.put_posed_shape(shown_);
-  PoseLibrary& library = document.library;
+  PoseLibrary& library = document.changed_library();
   for (std::size_t e = 0; e < examples_.size(); ++e)
     std::ranges::find(library.poses, examples_[e], &NamedPose::pose)->weight =
         std::clamp(posing_->weights()[e], PoseLibrary::least_weight, PoseLibrary::largest_weight);

@@ -16,7 +16,7 @@ namespace {
 
 // Keeps the current pose of locked probes, so that the mix does not move them.
 void keep_locked(const Document& document, WholePose& pose) {
-  const auto& all = document.probes.all;
+  const auto& all = document.probes().all;
   pose.probes.resize(all.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].locked) pose.probes[i] = all[i].pose;
@@ -67,13 +67,13 @@ WholePose mix_of(const Document& document, const DocumentState& state, VectorCac
 
 SharedPose rest_of(const Document& document) {
   WholePose pose;
-  if (document.has_cage()) pose.cage = deform::rest_pose(*document.cage);
+  if (document.has_cage()) pose.cage = deform::rest_pose(*document.cage());
   keep_locked(document, pose);
   return std::make_shared<const WholePose>(std::move(pose));
 }
 
 bool is_rest_pose(const Document& document, const WholePose& pose) {
-  return !pose.shape && (!document.has_cage() || pose.cage.positions == document.cage->surface.positions) &&
+  return !pose.shape && (!document.has_cage() || pose.cage.positions == document.cage()->surface.positions) &&
          std::ranges::all_of(pose.probes, [](const auto& p) { return p == deform::ProbePose{}; }) &&
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
@@ -118,21 +118,21 @@ bool are_weights(const PoseLibrary& library) {
 template <class Change>
 bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
            EditStep step = {}, std::span<const double> played = {}) {
-  vectors.follow(document.cage);
-  vectors.follow_model(document.model.surface);
-  DocumentState changed = state_of(document);
+  vectors.follow(document.cage());
+  vectors.follow_model(document.model().surface);
+  DocumentState changed = document.state();
   for (std::size_t i = 0; i < played.size(); ++i) changed.library.poses[i].weight = played[i];
   const SharedPose base = without_mix(document, changed, vectors);
   change(changed);
   const SharedPose pose = mixed_upon(document, changed, vectors, base);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
   record_step(document, label, step, step.kind == EditKind::mix);
-  document.library = std::move(changed.library);
-  document.timeline = std::move(changed.timeline);
+  document.changed_library() = std::move(changed.library);
+  document.changed_timeline() = std::move(changed.timeline);
   put_whole_pose(document, *pose);
-  const bool mixes = document.library.mixes();
-  document.library.unmixed = mixes ? base : nullptr;
-  document.library.mixed = mixes ? shared_pose(document) : nullptr;
+  const bool mixes = document.library().mixes();
+  document.changed_library().unmixed = mixes ? base : nullptr;
+  document.changed_library().mixed = mixes ? shared_pose(document) : nullptr;
   return true;
 }
 
@@ -146,10 +146,10 @@ WholePose whole_pose(const Document& document) {
   WholePose pose;
   if (document.has_cage()) {
     pose.cage = real_pose(document);
-    pose.cage.turns.resize(document.cage->roots.size());  // missing turns are 0
+    pose.cage.turns.resize(document.cage()->roots.size());  // missing turns are 0
   }
-  for (const deform::Probe& probe : document.probes.all) pose.probes.push_back(probe.pose);
-  pose.shape = document.shape;
+  for (const deform::Probe& probe : document.probes().all) pose.probes.push_back(probe.pose);
+  pose.shape = document.shape();
   return pose;
 }
 
@@ -160,7 +160,7 @@ SharedPose shared_pose(const Document& document) {
 void put_whole_pose(Document& document, const WholePose& pose) {
   document.put_shape(pose.shape);
   if (document.has_cage()) {
-    document.kept_pose.reset();
+    document.changed_kept_pose().reset();
     document.changed_pose() = pose.cage;
   }
   auto& probes = document.changed_probes().all;
@@ -170,17 +170,17 @@ void put_whole_pose(Document& document, const WholePose& pose) {
 }
 
 void move_pins_to_shape(Document& document) {
-  for (deform::Probe& probe : document.probes.all)
+  for (deform::Probe& probe : document.changed_probes().all)
     if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
 }
 
 void end_mix(Document& document) {
-  for (NamedPose& named : document.library.poses) named.weight = 0;
-  document.library.unmixed = document.library.mixed = nullptr;
+  for (NamedPose& named : document.changed_library().poses) named.weight = 0;
+  document.changed_library().unmixed = document.changed_library().mixed = nullptr;
 }
 
 SharedPose unmixed_pose(const Document& document) {
-  const PoseLibrary& library = document.library;
+  const PoseLibrary& library = document.library();
   if (!library.mixes() || !library.mixed || !library.unmixed) return nullptr;
   const WholePose now = whole_pose(document);
   const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes &&
@@ -210,26 +210,26 @@ void rename_in_keys(Timeline& timeline, const std::string& name, const std::stri
 }
 
 void add_named(Document& document, std::vector<NamedPose> poses, const char* label) {
-  const std::size_t count = document.library.poses.size();
+  const std::size_t count = document.library().poses.size();
   if (count + poses.size() > PoseLibrary::most_poses)
     throw base::Error("", "the pose list is full", "delete some of the " + std::to_string(count) + " poses");
   record_edit(document, label);
   for (NamedPose& pose : poses) {
-    pose.name = free_name(document.library, pose.name);
-    document.library.poses.push_back(std::move(pose));
+    pose.name = free_name(document.library(), pose.name);
+    document.changed_library().poses.push_back(std::move(pose));
   }
 }
 
 // After a change of weights that keeps the current pose: this pose is the mix upon the pose at rest.
 void mix_upon_rest(Document& document) {
-  document.library.mixed = shared_pose(document);
-  document.library.unmixed = rest_of(document);
+  document.changed_library().mixed = shared_pose(document);
+  document.changed_library().unmixed = rest_of(document);
 }
 
 // Sets the weight of a named pose, which the document must have, to 1 and the other weights to 0.
 void mix_only(Document& document, std::size_t pose) {
   end_mix(document);
-  document.library.poses[pose].weight = 1;
+  document.changed_library().poses[pose].weight = 1;
   mix_upon_rest(document);
 }
 
@@ -248,21 +248,21 @@ std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const d
 
 std::size_t keep_pose(Document& document, VectorCache& vectors, const std::string& name,
                       std::span<const double> played) {
-  vectors.follow(document.cage);
-  vectors.follow_model(document.model.surface);
-  DocumentState weighted = state_of(document);
+  vectors.follow(document.cage());
+  vectors.follow_model(document.model().surface);
+  DocumentState weighted = document.state();
   for (std::size_t i = 0; i < played.size(); ++i) weighted.library.poses[i].weight = played[i];
   const SharedPose added = without_mix(document, weighted, vectors);
   if (!in_range(*added))
     throw base::Error("", "the current pose is too far from the weighted poses", "clear the weights first");
   add_named(document, {{name, added}}, "add pose");
-  for (std::size_t i = 0; i < played.size(); ++i) document.library.poses[i].weight = played[i];
-  document.library.poses.back().weight = 1;
+  for (std::size_t i = 0; i < played.size(); ++i) document.changed_library().poses[i].weight = played[i];
+  document.changed_library().poses.back().weight = 1;
   mix_upon_rest(document);
-  for (PoseKey& key : document.timeline.keys)
-    if (!key.mix.empty() && same_pose(*key.pose, *document.library.mixed))
-      key.mix = mixed_poses(document.library);
-  return document.library.poses.size() - 1;
+  for (PoseKey& key : document.changed_timeline().keys)
+    if (!key.mix.empty() && same_pose(*key.pose, *document.library().mixed))
+      key.mix = mixed_poses(document.library());
+  return document.library().poses.size() - 1;
 }
 
 void add_poses(Document& document, std::vector<NamedPose> poses) {
@@ -270,7 +270,7 @@ void add_poses(Document& document, std::vector<NamedPose> poses) {
 }
 
 void add_shapes(Document& document, std::vector<NamedShape> shapes) {
-  const deform::Pose cage = document.has_cage() ? deform::rest_pose(*document.cage) : deform::Pose();
+  const deform::Pose cage = document.has_cage() ? deform::rest_pose(*document.cage()) : deform::Pose();
   std::vector<NamedPose> poses;
   for (NamedShape& shape : shapes)
     poses.push_back({std::move(shape.name),
@@ -280,27 +280,27 @@ void add_shapes(Document& document, std::vector<NamedShape> shapes) {
 
 void update_pose(Document& document, std::size_t pose) {
   record_edit(document, "update pose");
-  document.library.poses[pose].pose = shared_pose(document);
+  document.changed_library().poses[pose].pose = shared_pose(document);
   mix_only(document, pose);
-  rename_in_keys(document.timeline, document.library.poses[pose].name, "");
+  rename_in_keys(document.changed_timeline(), document.library().poses[pose].name, "");
 }
 
 void apply_pose(Document& document, std::size_t pose) {
   record_edit(document, "apply pose");
-  put_whole_pose(document, *document.library.poses[pose].pose);
+  put_whole_pose(document, *document.library().poses[pose].pose);
   mix_only(document, pose);
 }
 
 void rename_pose(Document& document, std::size_t pose, const std::string& name) {
-  if (document.library.poses[pose].name == name || name.empty()) return;
+  if (document.library().poses[pose].name == name || name.empty()) return;
   record_edit(document, "rename pose");
-  const std::string before = std::exchange(document.library.poses[pose].name, "");
-  document.library.poses[pose].name = free_name(document.library, name);
-  rename_in_keys(document.timeline, before, document.library.poses[pose].name);
+  const std::string before = std::exchange(document.changed_library().poses[pose].name, "");
+  document.changed_library().poses[pose].name = free_name(document.library(), name);
+  rename_in_keys(document.changed_timeline(), before, document.library().poses[pose].name);
 }
 
 void move_pose(Document& document, std::size_t pose, std::size_t to) {
-  auto& poses = document.library.poses;
+  auto& poses = document.changed_library().poses;
   if (to == pose || to == pose + 1) return;
   record_edit(document, "move pose");
   NamedPose moved = std::move(poses[pose]);
@@ -315,17 +315,20 @@ void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
     rename_in_keys(state.timeline, poses[pose].name, "");
     poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
   };
-  if (document.library.poses[pose].weight != 0 && remix(document, vectors, label, erase)) return;
+  if (document.library().poses[pose].weight != 0 && remix(document, vectors, label, erase)) return;
   record_edit(document, label);
-  if (document.library.poses[pose].weight != 0) end_mix(document);
-  erase(document);
+  if (document.library().poses[pose].weight != 0) end_mix(document);
+  DocumentState erased = document.state();
+  erase(erased);
+  document.changed_library() = std::move(erased.library);
+  document.changed_timeline() = std::move(erased.timeline);
 }
 
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played) {
   if (std::isnan(weight)) return false;
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
-  const NamedPose& named = document.library.poses[pose];
+  const NamedPose& named = document.library().poses[pose];
   if ((played.empty() ? named.weight : played[pose]) == weight) return true;
   const std::string label = "change weight of " + named.name;
   const auto change = [&](DocumentState& state) { state.library.poses[pose].weight = weight; };
@@ -333,7 +336,7 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
 }
 
 bool clear_mix(Document& document, VectorCache& vectors) {
-  if (!document.library.mixes()) return true;
+  if (!document.library().mixes()) return true;
   return remix(document, vectors, "clear weights", [](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight = 0;
   });
@@ -342,21 +345,21 @@ bool clear_mix(Document& document, VectorCache& vectors) {
 SharedPose mixed_by(const Document& document, VectorCache& vectors, bool linear) {
   const SharedPose base = unmixed_pose(document);
   if (!base) return nullptr;
-  vectors.follow(document.cage);
-  vectors.follow_model(document.model.surface);
-  DocumentState state = state_of(document);
+  vectors.follow(document.cage());
+  vectors.follow_model(document.model().surface);
+  DocumentState state = document.state();
   state.timeline.linear = linear;
   const SharedPose pose = mixed_upon(document, state, vectors, base);
   return in_range(*pose) ? pose : nullptr;
 }
 
 bool set_linear(Document& document, VectorCache& vectors, bool linear) {
-  if (document.timeline.linear == linear) return true;
+  if (document.timeline().linear == linear) return true;
   const char* const label = linear ? "interpolate linearly" : "interpolate in log space";
   const auto change = [linear](DocumentState& state) { state.timeline.linear = linear; };
-  if (document.library.mixes()) return remix(document, vectors, label, change);
+  if (document.library().mixes()) return remix(document, vectors, label, change);
   record_edit(document, label);
-  change(document);
+  document.changed_timeline().linear = linear;
   return true;
 }
 
@@ -369,8 +372,8 @@ void change_poses(Document& document, const Change& change) {
     change(changed);
     pose = std::make_shared<const WholePose>(std::move(changed));
   };
-  for (NamedPose& named : document.library.poses) put(named.pose);
-  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
+  for (NamedPose& named : document.changed_library().poses) put(named.pose);
+  for (auto* keys : {&document.changed_timeline().keys, &document.changed_timeline().unkeyed})
     for (PoseKey& key : *keys) put(key.pose);
 }
 
@@ -403,18 +406,18 @@ std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
 std::string drop_poses(Document& document, const deform::Cage& by) {
   const deform::Pose rest = deform::rest_pose(by);
   end_mix(document);
-  const std::size_t poses = keep_shapes(document.library.poses, rest);
-  const std::size_t keys = keep_shapes(document.timeline.keys, rest);
-  keep_shapes(document.timeline.unkeyed, rest);
+  const std::size_t poses = keep_shapes(document.changed_library().poses, rest);
+  const std::size_t keys = keep_shapes(document.changed_timeline().keys, rest);
+  keep_shapes(document.changed_timeline().unkeyed, rest);
   return counted_poses(poses, keys);
 }
 
 std::string keep_shapes(Document& to, const Document& from) {
-  to.shape = from.shape;
-  to.library = from.library;
-  to.timeline = from.timeline;
-  to.frame = from.frame;
-  return drop_poses(to, *to.cage);
+  to.put_shape(from.shape());
+  to.changed_library() = from.library();
+  to.changed_timeline() = from.timeline();
+  to.put_frame(from.frame());
+  return drop_poses(to, *to.cage());
 }
 
 void forget_probe(Document& document, std::size_t probe) {
@@ -422,13 +425,13 @@ void forget_probe(Document& document, std::size_t probe) {
     if (probe < pose.probes.size())
       pose.probes.erase(pose.probes.begin() + static_cast<std::ptrdiff_t>(probe));
   });
-  document.library.unmixed = document.library.mixed = nullptr;
+  document.changed_library().unmixed = document.changed_library().mixed = nullptr;
 }
 
 void set_pose(Document& document, deform::Pose pose) {
   record_edit(document, "open pose");
   end_mix(document);
-  document.kept_pose.reset();
+  document.changed_kept_pose().reset();
   document.changed_pose() = std::move(pose);
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double usual_radius = 0.2;  // relative to the model's diagonal
 
 std::string label(const char* verb, const Document& document) {
-  const std::size_t n = document.selection.size();
+  const std::size_t n = document.selection().size();
   return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
 }
 
@@ -32,7 +32,7 @@ deform::Probes& edit(Document& document, const std::string& name) {
 template <class Change>
 void change_free(Document& document, const Change& change) {
   auto& all = document.changed_probes().all;
-  for (const auto i : document.selection.indices())
+  for (const auto i : document.selection().indices())
     if (!all[i].locked) change(all[i]);
 }
 
@@ -45,11 +45,11 @@ void change_selected(Document& document, const std::string& name, const Change& 
 void select(Document& document, std::size_t first, std::size_t end) {
   std::vector<std::uint32_t> added;
   for (std::size_t i = first; i < end; ++i) added.push_back(static_cast<std::uint32_t>(i));
-  document.selection = Selection(ElementKind::probe, added);
+  document.changed_selection() = Selection(ElementKind::probe, added);
 }
 
 std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, const mesh::Point& at) {
-  const mesh::Surface& model = *document.model.surface;
+  const mesh::Surface& model = *document.model().surface;
   double least = std::numeric_limits<double>::infinity();
   std::uint32_t nearest = 0;
   for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
@@ -61,7 +61,7 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
 
 // Returns the rest position of a point near the displayed model: uses the offset from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
-  const mesh::Surface& model = *document.model.surface;
+  const mesh::Surface& model = *document.model().surface;
   const std::uint32_t v = nearest_vertex(document, posed, at);
   return model.positions[v] + (at - posed.at(model, v));
 }
@@ -70,12 +70,12 @@ deform::Probe probe_at(const Document& document, const mesh::Point& place) {
   deform::Probe probe;
   probe.place = place;
   probe.turn = probe.stretch =
-      probe.move = {deform::Falloff::smooth, usual_radius * document.space.diagonal()};
+      probe.move = {deform::Falloff::smooth, usual_radius * document.space().diagonal()};
   return probe;
 }
 
 deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
-  deform::Probe probe = probe_at(document, document.model.surface->positions[vertex]);
+  deform::Probe probe = probe_at(document, document.model().surface->positions[vertex]);
   probe.pin = deform::Pin{vertex};
   probe.pose.move = shape_of_vertex(document, vertex) - probe.place;
   return probe;
@@ -84,30 +84,30 @@ deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
 }  // namespace
 
 bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at) {
-  if (document.probes.all.size() >= most_probes) return false;
+  if (document.probes().all.size() >= most_probes) return false;
   const deform::Probe probe = probe_at(document, at_rest(document, posed, at));
   edit(document, "add probe").all.push_back(probe);
-  document.carried.clear();
-  select(document, document.probes.all.size() - 1, document.probes.all.size());
+  document.put_carried({});
+  select(document, document.probes().all.size() - 1, document.probes().all.size());
   return true;
 }
 
 bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at) {
   const std::uint32_t vertex = nearest_vertex(document, posed, at);
-  auto& all = document.probes.all;
+  auto& all = document.changed_probes().all;
   const auto pins_it = [&](const deform::Probe& p) { return p.pin && p.pin->vertex == vertex; };
   const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
   if (found == all.size()) {
     if (all.size() >= most_probes) return false;
     edit(document, "pin vertex").all.push_back(pin_of(document, vertex));
-    document.carried.clear();
+    document.put_carried({});
   }
   select(document, found, found + 1);
   return true;
 }
 
 bool has_pins(const Document& document) {
-  return std::ranges::any_of(document.probes.all, [](const deform::Probe& p) { return p.pin.has_value(); });
+  return std::ranges::any_of(document.probes().all, [](const deform::Probe& p) { return p.pin.has_value(); });
 }
 
 void set_pulls(Document& document, bool pulls) {
@@ -118,20 +118,20 @@ void set_pulls(Document& document, bool pulls) {
 
 void remove_probes(Document& document) {
   auto& all = edit(document, label("remove", document)).all;
-  const auto& selected = document.selection.indices();
+  const auto& selected = document.selection().indices();
   for (auto i = selected.rbegin(); i != selected.rend(); ++i) {
     if (all[*i].locked) continue;
     all.erase(all.begin() + *i);
     forget_probe(document, *i);
   }
-  document.carried.clear();
-  document.selection.clear();
+  document.put_carried({});
+  document.changed_selection().clear();
 }
 
 bool has_free_probes(const Document& document) {
-  if (document.selection.kind() != ElementKind::probe) return false;
-  return std::ranges::any_of(document.selection.indices(),
-                             [&](auto i) { return !document.probes.all[i].locked; });
+  if (document.selection().kind() != ElementKind::probe) return false;
+  return std::ranges::any_of(document.selection().indices(),
+                             [&](auto i) { return !document.probes().all[i].locked; });
 }
 
 void rest_probes(Document& document) {
@@ -140,11 +140,11 @@ void rest_probes(Document& document) {
 
 int symmetry_axis(const Document& document) {
   constexpr std::size_t samples = 256;
-  const auto& points = document.model.surface->positions;
+  const auto& points = document.model().surface->positions;
   std::vector<std::uint32_t> all(points.size());
   std::iota(all.begin(), all.end(), 0u);
   const mesh::PointTree tree(points, std::move(all));
-  const mesh::Point middle = document.model.bounds.center();
+  const mesh::Point middle = document.model().bounds.center();
   std::array<double, 3> off{};
   for (std::size_t n = 0; n < samples; ++n) {
     const mesh::Point& p = points[n * points.size() / samples];
@@ -158,21 +158,21 @@ int symmetry_axis(const Document& document) {
 }
 
 bool mirror_probes(Document& document, int axis) {
-  const std::size_t before = document.probes.all.size();
-  if (before + document.selection.size() > most_probes) return false;
+  const std::size_t before = document.probes().all.size();
+  if (before + document.selection().size() > most_probes) return false;
   auto& all = edit(document, label("mirror", document)).all;
-  const double middle = document.model.bounds.center()[static_cast<std::size_t>(axis)];
-  for (const auto i : document.selection.indices()) all.push_back(deform::mirrored(all[i], axis, middle));
+  const double middle = document.model().bounds.center()[static_cast<std::size_t>(axis)];
+  for (const auto i : document.selection().indices()) all.push_back(deform::mirrored(all[i], axis, middle));
   for (std::size_t i = before; i < all.size(); ++i)
     if (all[i].pin) all[i] = pin_of(document, nearest_vertex(document, {}, all[i].place));
-  document.carried.clear();
+  document.put_carried({});
   select(document, before, all.size());
   return true;
 }
 
 void set_locked(Document& document, bool locked) {
   auto& all = edit(document, label(locked ? "lock" : "unlock", document)).all;
-  for (const auto i : document.selection.indices()) all[i].locked = locked;
+  for (const auto i : document.selection().indices()) all[i].locked = locked;
 }
 
 namespace {
@@ -191,22 +191,22 @@ void set_falloff(Document& document, Part part, deform::Falloff falloff) {
 
 void set_radius(Document& document, Part part, double radius) {
   const std::string name = part_label(part) + " (radius)";
-  const DocumentState* before = document.history.before_last();
+  const DocumentState* before = document.history().before_last();
   const std::size_t number = part == &deform::Probe::turn ? 0 : part == &deform::Probe::stretch ? 1 : 2;
   record_step(document, name, {EditKind::probe_radius, number},
-              before && before->selection == document.selection);
+              before && before->selection == document.selection());
   change_free(document, [&](deform::Probe& probe) { (probe.*part).radius = radius; });
 }
 
 void set_mix(Document& document, deform::ProbeMix mix) {
-  if (document.probes.mix != mix) edit(document, "change combination of probes").mix = mix;
+  if (document.probes().mix != mix) edit(document, "change combination of probes").mix = mix;
 }
 
 double least_probe_radius(const Document& document) {
-  return 0.01 * document.space.diagonal();
+  return 0.01 * document.space().diagonal();
 }
 double largest_probe_radius(const Document& document) {
-  return 2 * document.space.diagonal();
+  return 2 * document.space().diagonal();
 }
 
 }  // namespace viete::document

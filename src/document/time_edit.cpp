@@ -42,7 +42,7 @@ void put_key(Timeline& timeline, int frame, const Document& document, std::span<
   check_frame(frame);
   PoseKey& key = key_for(timeline.keys, frame);
   key.pose = shared_pose(document);
-  key.mix = mixed_poses(document.library, weights);
+  key.mix = mixed_poses(document.library(), weights);
   include(timeline, frame);
 }
 
@@ -62,23 +62,23 @@ void move_in(std::vector<Key>& keys, std::span<const int> frames, std::span<cons
 }  // namespace
 
 int current_frame(const Document& document) {
-  return static_cast<int>(std::lround(document.frame));
+  return static_cast<int>(std::lround(document.frame()));
 }
 
 void set_key(Document& document, int frame, std::span<const double> weights) {
-  Timeline timeline = document.timeline;
+  Timeline timeline = document.timeline();
   put_key(timeline, frame, document, weights);
   put_timeline(document, std::move(timeline), "set key");
 }
 
 void add_key_to_edit(Document& document, int frame) {
-  put_key(document.timeline, frame, document, {});
-  document.history.extend_last();
+  put_key(document.changed_timeline(), frame, document, {});
+  document.changed_history().extend_last();
 }
 
 void set_camera_key(Document& document, int frame, const CameraPose& camera) {
   check_frame(frame);
-  Timeline timeline = document.timeline;
+  Timeline timeline = document.timeline();
   CameraKey& key = key_for(timeline.cameras, frame);
   key.camera = camera;
   if (&key != &timeline.cameras.front()) {
@@ -91,7 +91,7 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
 
 void set_turntable(Document& document, const CameraPose& camera) {
   record_edit(document, "create turntable");
-  Timeline& t = document.timeline;
+  Timeline& t = document.changed_timeline();
   const int middle = t.first + (t.last - t.first) / 2;
   t.cameras.clear();
   for (const int frame : {t.first, middle, t.last}) {
@@ -104,7 +104,7 @@ void set_turntable(Document& document, const CameraPose& camera) {
 }
 
 void remove_keys(Document& document, std::span<const int> frames) {
-  Timeline timeline = document.timeline;
+  Timeline timeline = document.timeline();
   const auto gone = [&](const auto& key) { return among(frames, key.frame); };
   if (std::erase_if(timeline.keys, gone) + std::erase_if(timeline.cameras, gone) > 0)
     put_timeline(document, std::move(timeline), "delete keys");
@@ -113,32 +113,32 @@ void remove_keys(Document& document, std::span<const int> frames) {
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to) {
   for (const int frame : to) check_frame(frame);
-  const DocumentState* last = document.history.before_last();
+  const DocumentState* last = document.history().before_last();
   record_step(document, "move keys", {EditKind::keys}, last && last->timeline == before);
   Timeline timeline = before;
   move_in(timeline.keys, frames, to);
   move_in(timeline.cameras, frames, to);
   for (const int frame : to) include(timeline, frame);
-  document.timeline = std::move(timeline);
+  document.changed_timeline() = std::move(timeline);
 }
 
 void set_easing(Document& document, std::span<const int> frames, Easing easing) {
   const auto changes = [&](const PoseKey& key) { return among(frames, key.frame) && key.easing != easing; };
-  if (std::ranges::none_of(document.timeline.keys, changes)) return;
+  if (std::ranges::none_of(document.timeline().keys, changes)) return;
   record_edit(document, "change easing");
-  for (PoseKey& key : document.timeline.keys)
+  for (PoseKey& key : document.changed_timeline().keys)
     if (among(frames, key.frame)) key.easing = easing;
 }
 
 void put_timeline(Document& document, Timeline timeline, const std::string& label) {
   record_edit(document, label);
-  document.timeline = std::move(timeline);
+  document.changed_timeline() = std::move(timeline);
 }
 
 void set_play(Document& document, const Playing& play) {
-  if (play == document.timeline) return;
+  if (play == document.timeline()) return;
   record_step(document, "change playback", {EditKind::play});
-  Timeline& t = document.timeline;
+  Timeline& t = document.changed_timeline();
   static_cast<Playing&>(t) = play;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);

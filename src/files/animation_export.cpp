@@ -367,10 +367,10 @@ std::vector<int> AnimationExport::frames() const {
 }
 
 AnimationExport animation_export_of(const document::Document& document, const fs::path& file) {
-  AnimationExport what{export_of(document, file), document.timeline};
-  what.first = document.timeline.first;
-  what.last = document.timeline.last;
-  what.rate = document.timeline.rate;
+  AnimationExport what{export_of(document, file), document.timeline()};
+  what.first = document.timeline().first;
+  what.last = document.timeline().last;
+  what.rate = document.timeline().rate;
   return what;
 }
 

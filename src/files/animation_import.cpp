@@ -201,7 +201,7 @@ ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const Imp
 }
 
 void put_keys(document::Document& document, std::vector<document::PoseKey> keys, const std::string& label) {
-  document::Timeline timeline = document.timeline;
+  document::Timeline timeline = document.timeline();
   timeline.keys = std::move(keys);
   timeline.first = timeline.keys.front().frame;
   timeline.last = std::max(timeline.first + 1, timeline.keys.back().frame);

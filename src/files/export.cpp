@@ -17,20 +17,20 @@ namespace viete::files {
 
 Export export_of(const document::Document& document, const std::filesystem::path& file) {
   Export all{file,
-             document.model.surface,
-             document.model.attributes,
-             document.model.original,
-             document.cage,
+             document.model().surface,
+             document.model().attributes,
+             document.model().original,
+             document.cage(),
              real_pose(document),
-             document.scheme,
-             document.method,
-             document.mask,
-             document.probes,
-             document.shape,
-             guessed_up(document.model),
+             document.scheme(),
+             document.method(),
+             document.mask(),
+             document.probes(),
+             document.shape(),
+             guessed_up(document.model()),
              {}};
   if (document.has_cage()) return all;
-  all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
+  all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model().bounds));
   all.pose = deform::rest_pose(*all.cage);
   all.scheme = deform::no_motion();
   return all;

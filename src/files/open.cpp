@@ -62,23 +62,24 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
 // Adds the cage's warnings. If most of the model is outside the cage, warns that the cage may not fit.
 void take_cage_warnings(Opened& opened) {
   const document::Document& document = *opened.document;
-  append(opened.warnings, document.cage_file.warnings);
+  append(opened.warnings, document.cage_file().warnings);
   if (!document.has_cage()) return;
-  const auto repeats = std::ranges::count(mesh::repeated_polygons(document.cage->surface), 1);
+  const auto repeats = std::ranges::count(mesh::repeated_polygons(document.cage()->surface), 1);
   if (repeats > 0)
-    opened.warnings.push_back(place_of(document.cage_file) + ": " +
+    opened.warnings.push_back(place_of(document.cage_file()) + ": " +
                               base::counted(static_cast<std::size_t>(repeats), "face") +
                               " listed twice; the repetition is ignored");
-  if (!document.cage->closed) return;
-  const Outside found = outside(document.cage->surface, *document.model.surface);
+  if (!document.cage()->closed) return;
+  const Outside found = outside(document.cage()->surface, *document.model().surface);
   if (2 * found.count <= found.of) return;
-  opened.warnings.push_back(place_of(document.cage_file) + ": " + (found.count == found.of ? "all" : "most") +
-                            " of " + document.model.path.filename().string() +
+  opened.warnings.push_back(place_of(document.cage_file()) + ": " +
+                            (found.count == found.of ? "all" : "most") + " of " +
+                            document.model().path.filename().string() +
                             " is outside this cage; check that both have the same scale and position");
 }
 
 void take_warnings(Opened& opened) {
-  append(opened.warnings, opened.document->model.warnings);
+  append(opened.warnings, opened.document->model().warnings);
   take_cage_warnings(opened);
 }
 
@@ -103,16 +104,16 @@ Opened open_model(const std::vector<fs::path>& files, bool without_fins, base::P
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage())
     throw base::Error(named(2).string(), "a pose needs a cage, and no cage was opened", "open the cage too");
-  opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
-  opened.document->also_read.push_back({named(2), document::the_pose});
+  opened.document->changed_pose() = deform::read_pose(named(2), *opened.document->cage(), opened.warnings);
+  opened.document->changed_also_read().push_back({named(2), document::the_pose});
   return opened;
 }
 
 Opened open_cage(document::OpenedSurface cage, const document::Document& current) {
   Opened opened;
-  opened.document = document_of(current.model);
-  opened.document->mask = current.mask;
-  opened.document->probes = current.probes;
+  opened.document = document::Document(current.model());
+  opened.document->put_mask(current.mask());
+  opened.document->changed_probes() = current.probes();
   set_cage(*opened.document, std::move(cage));
   opened.lost = keep_shapes(*opened.document, current);
   take_cage_warnings(opened);
@@ -121,7 +122,7 @@ Opened open_cage(document::OpenedSurface cage, const document::Document& current
 
 Opened open_cage(const fs::path& file, const document::Document& current, bool without_fins,
                  base::Progress* progress) {
-  if (!current.model.surface)
+  if (!current.model().surface)
     throw base::Error(file.string(), "a cage needs a model, and no model is open", "open the model first");
   document::OpenedSurface cage = document::open_surface(file, progress);
   return open_cage(without_fins ? cage_without_fins(std::move(cage)) : std::move(cage), current);
@@ -132,32 +133,31 @@ Opened of_open_cage(const fs::path& file, const document::Document& current) {
     throw base::Error(file.string(), "a pose needs a cage, and no cage is open", "open the cage first");
   Opened opened;
   opened.file = file;
-  opened.pose_of = current.cage;
+  opened.pose_of = current.cage();
   return opened;
 }
 
 Opened open_pose(const fs::path& file, const document::Document& current) {
   Opened opened = of_open_cage(file, current);
-  opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
+  opened.pose = deform::read_pose(file, *current.cage(), opened.warnings);
   opened.also_read.push_back({file, document::the_pose});
   document::Document posed;
-  posed.cage_file = current.cage_file;
-  posed.pose = *opened.pose;
+  posed.replace_cage(current.cage_file(), current.cage(), *opened.pose);
   check_drawable(posed);
   return opened;
 }
 
 void check_imported(const Opened& imported) {
   document::Document checked;
-  checked.library.poses = imported.poses;
-  checked.timeline.keys = imported.keys;
+  checked.changed_library().poses = imported.poses;
+  checked.changed_timeline().keys = imported.keys;
   check_drawable(checked);
 }
 
 Opened open_poses(const std::vector<fs::path>& files, const document::Document& current,
                   base::Progress* progress) {
   Opened opened = of_open_cage(files.front(), current);
-  ImportedPoses read = read_poses(files, *current.cage, progress);
+  ImportedPoses read = read_poses(files, *current.cage(), progress);
   opened.poses = std::move(read.poses);
   check_imported(opened);
   opened.warnings = std::move(read.warnings);
@@ -183,10 +183,10 @@ void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface
 void take_shapes(Opened& opened, std::vector<fs::path> files, const document::Document& current,
                  base::Progress* progress) {
   sort_by_numbers(files);
-  ImportedShapes read = read_shapes(files, *current.model.surface, progress);
+  ImportedShapes read = read_shapes(files, *current.model().surface, progress);
   document::Document checked;
   for (const document::NamedShape& shape : read.shapes) {
-    checked.shape = shape.shape;
+    checked.put_shape(shape.shape);
     check_drawable(checked);
   }
   opened.shapes = std::move(read.shapes);
@@ -196,7 +196,7 @@ void take_shapes(Opened& opened, std::vector<fs::path> files, const document::Do
 
 Opened open_shapes(const std::vector<fs::path>& files, const document::Document& current,
                    base::Progress* progress) {
-  if (!current.model.surface)
+  if (!current.model().surface)
     throw base::Error(files.front().string(), "a shape needs a model, and no model is open",
                       "open the model first");
   Opened opened;
@@ -206,7 +206,7 @@ Opened open_shapes(const std::vector<fs::path>& files, const document::Document&
   std::vector<document::SharedShape> shapes;
   for (const document::NamedShape& shape : opened.shapes) shapes.push_back(shape.shape);
   if (progress) progress->section(0.3, 0.8);
-  add_shape_vectors(opened, current.model.surface, shapes, progress);
+  add_shape_vectors(opened, current.model().surface, shapes, progress);
   return opened;
 }
 
@@ -215,31 +215,31 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
   const bool is_model = formats::is_a(formats::keeps_order, file);  // the file may belong to a sequence
   const auto sequence = is_model ? base::NumberedName::of_file(file) : std::nullopt;
   Opened opened = open_shapes({sequence ? fs::path(sequence->pattern()) : file}, current, progress);
-  const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage) : deform::Pose();
-  int frame = current.timeline.first;
+  const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage()) : deform::Pose();
+  int frame = current.timeline().first;
   for (document::NamedShape& shape : std::exchange(opened.shapes, {}))
     opened.keys.push_back(
         {frame++,
          std::make_shared<const document::WholePose>(document::WholePose{cage, {}, std::move(shape.shape)}),
          document::Easing::constant_speed});
-  opened.pose_of = current.cage;
+  opened.pose_of = current.cage();
   return opened;
 }
 
 // Returns true for a point cache whose number of points matches the model but not the cage.
 bool is_cache_of(const fs::path& file, const document::Document& current) {
-  if (!current.model.surface || !formats::point_cache_format(file)) return false;
+  if (!current.model().surface || !formats::point_cache_format(file)) return false;
   const std::size_t points = formats::PointCache(file).head().points;
-  return points == current.model.surface->positions.size() &&
-         !(current.has_cage() && points == current.cage->surface.positions.size());
+  return points == current.model().surface->positions.size() &&
+         !(current.has_cage() && points == current.cage()->surface.positions.size());
 }
 
 Opened open_animation(const fs::path& file, const document::Document& current, base::Progress* progress) {
-  if (current.model.surface && (!current.has_cage() || is_cache_of(file, current)))
+  if (current.model().surface && (!current.has_cage() || is_cache_of(file, current)))
     return open_shape_keys(file, current, progress);
   Opened opened = of_open_cage(file, current);
-  const ImportTimes times{current.timeline.first, current.timeline.rate};
-  ImportedKeys read = read_keys(file, *current.cage, times, progress);
+  const ImportTimes times{current.timeline().first, current.timeline().rate};
+  ImportedKeys read = read_keys(file, *current.cage(), times, progress);
   opened.keys = std::move(read.keys);
   check_imported(opened);
   opened.warnings = std::move(read.warnings);
@@ -272,15 +272,16 @@ document::Document document_of_session(const Session& session, const fs::path& f
   };
   const char* key = "model";
   try {
-    document::Document document = document::document_of(open(key, session.model.path, progress));
+    document::Document document(open(key, session.model.path, progress));
     key = "cage";
     if (!session.cage_file.path.empty()) set_cage(document, open(key, session.cage_file.path, nullptr));
     key = "made_cage";
     if (session.cage_file.surface) set_cage(document, session.cage_file);
     document::DocumentState state = session;
-    state.cage = document.cage, state.cage_file = document.cage_file;
-    if (!document.has_cage() || state.pose.positions.empty()) state.pose = document.pose;
-    static_cast<document::DocumentState&>(document) = std::move(state);
+    state.cage = document.cage();
+    state.cage_file = document.cage_file();
+    if (!document.has_cage() || state.pose.positions.empty()) state.pose = document.pose();
+    document.restore(std::move(state));
     return document;
   } catch (const SessionFileError&) {
     throw;
@@ -290,11 +291,11 @@ document::Document document_of_session(const Session& session, const fs::path& f
 }
 
 void set_pose_from_keys(document::Document& document) {
-  if (document.timeline.keys.empty()) return;
+  if (document.timeline().keys.empty()) return;
   document::VectorCache vectors;
-  vectors.follow(document.cage);
-  vectors.follow_model(document.model.surface);
-  put_whole_pose(document, document::Animation(document.timeline, vectors).at(document.frame));
+  vectors.follow(document.cage());
+  vectors.follow_model(document.model().surface);
+  put_whole_pose(document, document::Animation(document.timeline(), vectors).at(document.frame()));
 }
 
 void add_shape_vectors(Opened& opened, const document::Document& document, base::Progress* progress) {
@@ -302,12 +303,12 @@ void add_shape_vectors(Opened& opened, const document::Document& document, base:
   const auto add = [&](const auto& keyed) {
     if (keyed.pose->shape) shapes.push_back(keyed.pose->shape);
   };
-  std::ranges::for_each(document.library.poses, add);
+  std::ranges::for_each(document.library().poses, add);
   if (!document.has_shapes()) return;
-  add_shape_vectors(opened, document.model.surface, shapes, progress);
-  if (document.timeline.keys.empty()) return;
-  opened.vectors.follow(document.cage);
-  (void)document::Animation(document.timeline, opened.vectors);
+  add_shape_vectors(opened, document.model().surface, shapes, progress);
+  if (document.timeline().keys.empty()) return;
+  opened.vectors.follow(document.cage());
+  (void)document::Animation(document.timeline(), opened.vectors);
 }
 
 Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& located,
@@ -320,14 +321,14 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   Session& session = opened.session.emplace(read_session(file));
   locate(session, located);
   document::Document document = document_of_session(session, file, progress);
-  document.method = session.method;
+  document.put_method(session.method);
   check_fits(document, session, file);
-  for (deform::Probe& probe : document.probes.all)
-    if (probe.pin) probe.place = document.model.surface->positions[probe.pin->vertex];
-  if (document.library.unmixed) document.library.mixed = shared_pose(document);
+  for (deform::Probe& probe : document.changed_probes().all)
+    if (probe.pin) probe.place = document.model().surface->positions[probe.pin->vertex];
+  if (document.library().unmixed) document.changed_library().mixed = shared_pose(document);
   add_shape_vectors(opened, document, progress);
   if (document.has_cage() && session.pose.positions.empty() && !session.shape) set_pose_from_keys(document);
-  document.selection = without_hidden(document, document.selection);
+  document.changed_selection() = without_hidden(document, document.selection());
   opened.warnings = changes_since(session, document, file);
   opened.document = std::move(document);
   take_warnings(opened);
@@ -339,7 +340,7 @@ bool matches(const mesh::Surface& found, const mesh::Surface& wanted) {
 }
 
 bool is_shape_of(const document::Document& current, const mesh::Surface& s) {
-  return current.model.surface && matches(s, *current.model.surface);
+  return current.model().surface && matches(s, *current.model().surface);
 }
 
 bool same_file(const fs::path& a, const fs::path& b) {
@@ -350,26 +351,26 @@ bool same_file(const fs::path& a, const fs::path& b) {
 Opened open_dropped_surface(document::OpenedSurface surface, const document::Document& current) {
   const mesh::Surface& s = *surface.surface;
   const std::string name = name_of(surface);
-  if (current.has_cage() && matches(s, current.cage->surface)) {
+  if (current.has_cage() && matches(s, current.cage()->surface)) {
     Opened opened = open_pose(surface.path, current);
     opened.taken_as = "Imported " + name + " as a pose: it has the cage's vertices and faces";
     return opened;
   }
-  if (is_shape_of(current, s) && !same_file(surface.path, current.model.path)) {
+  if (is_shape_of(current, s) && !same_file(surface.path, current.model().path)) {
     Opened opened = open_shapes({surface.path}, current, nullptr);
     opened.taken_as = "Imported " + name + " as a shape: it has the model's vertices and faces";
     return opened;
   }
-  const bool cage = current.model.surface && !current.has_cage() &&
-                    s.positions.size() < current.model.surface->positions.size() &&
-                    encloses(s, *current.model.surface);
+  const bool cage = current.model().surface && !current.has_cage() &&
+                    s.positions.size() < current.model().surface->positions.size() &&
+                    encloses(s, *current.model().surface);
   if (cage) {
     Opened opened = open_cage(std::move(surface), current);
     opened.taken_as = "Imported " + name + " as the cage: it encloses the model";
     return opened;
   }
   Opened opened;
-  opened.document = document_of(std::move(surface));
+  opened.document = document::Document(std::move(surface));
   opened.taken_as = "Imported " + name + " as a new model";
   take_warnings(opened);
   return opened;
@@ -386,7 +387,7 @@ Opened open_dropped_pair(document::OpenedSurface model, document::OpenedSurface 
   Opened opened;
   opened.taken_as =
       "Imported " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
-  opened.document = document_of(std::move(model));
+  opened.document = document::Document(std::move(model));
   set_cage(*opened.document, std::move(cage));
   take_warnings(opened);
   return opened;
@@ -406,7 +407,7 @@ Opened open_dropped(const std::vector<fs::path>& files, const document::Document
       "drop one session, one model, one pose, a model and its cage, or shapes of the open model";
   const bool several = files.size() > 1;
   if (files.empty() || (several && std::any_of(files.begin(), files.end(), is_session)) ||
-      (files.size() > 2 && !current.model.surface))
+      (files.size() > 2 && !current.model().surface))
     throw base::Error("", dropped, advice);
   if (files.size() > 2) {
     try {
@@ -477,17 +478,17 @@ Opened open_files(const OpenRequest& request, const document::Document& current,
   if (!opened.document) return opened;
   document::Document& document = *opened.document;
   if (!opened.has_settings) {
-    document.method = current.method;
-    document.scheme = current.scheme;
+    document.put_method(current.method());
+    document.put_scheme(current.scheme());
   }
   if (!document.has_cage() && !opened.session)
-    document.cage_beside = document::cage_beside(document.model.path);
+    document.put_cage_beside(document::cage_beside(document.model().path));
   put_settings(document, request.settings, opened.has_settings);
-  const bool surfaceless = document.model.surface->triangles.empty() && !opened.has_settings;
-  if (surfaceless && deform::entry(document.scheme.weighting.weights).on_surface &&
+  const bool surfaceless = document.model().surface->triangles.empty() && !opened.has_settings;
+  if (surfaceless && deform::entry(document.scheme().weighting.weights).on_surface &&
       !request.settings.choice.weights && !request.settings.way)
     document.put_scheme(
-        deform::complete(document::only(deform::default_scheme(false).weighting.weights), document.scheme));
+        deform::complete(document::only(deform::default_scheme(false).weighting.weights), document.scheme()));
   opened.has_settings |= request.settings.any();
   return opened;
 }

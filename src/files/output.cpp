@@ -132,9 +132,9 @@ void add_document(document::FilesInUse& files, const document::Document& documen
     add_surface(files, is_own ? fs::path() : surface.path, surface.original.get(), surface.attributes.get(),
                 what);
   };
-  add(document.model, document::the_model);
-  add(document.cage_file, document::the_cage);
-  for (const document::FileInUse& file : document.also_read)
+  add(document.model(), document::the_model);
+  add(document.cage_file(), document::the_cage);
+  for (const document::FileInUse& file : document.also_read())
     if (file.what != own) files.add(file.path, file.what);
 }
 

@@ -444,17 +444,18 @@ constexpr const char* changed_advice = "restore the model and cage with which th
 }
 
 void check_pose(const document::Document& document, const Session& session, const fs::path& file) {
-  const deform::Cage& cage = *document.cage;
-  const bool same = session.cage_file.content != 0 && session.cage_file.content == document.cage_file.content;
+  const deform::Cage& cage = *document.cage();
+  const bool same =
+      session.cage_file.content != 0 && session.cage_file.content == document.cage_file().content;
   const std::string advice = same
                                  ? "the session is damaged: use an older copy"
                                  : "the cage has changed since the session was saved: restore the older file";
-  const auto& [positions, turns] = document.pose;
+  const auto& [positions, turns] = document.pose();
   const std::size_t wanted = cage.surface.positions.size();
   if (positions.size() != wanted)
     refuse(file, "pose.positions",
            "the pose is for " + counted(document::ElementKind::vertex, positions.size()) + ", the cage " +
-               place_of(document.cage_file) + " has " + counted(document::ElementKind::vertex, wanted),
+               place_of(document.cage_file()) + " has " + counted(document::ElementKind::vertex, wanted),
            advice);
   if (turns.size() > cage.roots.size())
     refuse(file, "pose.turns",
@@ -492,7 +493,7 @@ void check_poses(const document::DocumentState& state, const deform::Cage* cage,
 }
 
 void check_fits(const document::Document& document, const Session& session, const fs::path& file) {
-  const mesh::Surface& model = *document.model.surface;
+  const mesh::Surface& model = *document.model().surface;
   const std::size_t vertices = model.positions.size();
   if (document.has_cage()) check_pose(document, session, file);
   const auto check_count = [&](const char* key, std::size_t count) {
@@ -501,19 +502,19 @@ void check_fits(const document::Document& document, const Session& session, cons
            "the " + std::string(key) + " is for " + counted(document::ElementKind::vertex, count) +
                ", the model has " + counted(document::ElementKind::vertex, vertices));
   };
-  if (document.mask) check_count("mask", document.mask->size());
-  if (document.shape) check_count("shape", document.shape->size());
-  for (const deform::Probe& probe : document.probes.all)
+  if (document.mask()) check_count("mask", document.mask()->size());
+  if (document.shape()) check_count("shape", document.shape()->size());
+  for (const deform::Probe& probe : document.probes().all)
     if (probe.pin)
       check_indices(file, "probes", {probe.pin->vertex}, document::ElementKind::vertex, vertices);
-  check_poses(document, document.cage.get(), model, file);
-  const document::Selection& selection = document.selection;
+  check_poses(document.state(), document.cage().get(), model, file);
+  const document::Selection& selection = document.selection();
   check_indices(file, "selection", selection.indices(), selection.kind(),
                 element_count(document, selection.kind()));
   const std::size_t of_cage = element_count(document, document::ElementKind::vertex);
-  for (const document::NamedSet& set : document.groups.sets)
+  for (const document::NamedSet& set : document.groups().sets)
     check_indices(file, "sets", set.vertices, document::ElementKind::vertex, of_cage);
-  check_indices(file, "hidden", document.groups.hidden, document::ElementKind::vertex, of_cage);
+  check_indices(file, "hidden", document.groups().hidden, document::ElementKind::vertex, of_cage);
 }
 
 std::vector<std::string> changes_since(const Session& session, const document::Document& document,
@@ -526,9 +527,9 @@ std::vector<std::string> changes_since(const Session& session, const document::D
                                       place_of(now) + " has changed since the session was saved", advice)
                               .what());
   };
-  compare("model", session.model.content, document.model,
+  compare("model", session.model.content, document.model(),
           "if the result looks wrong, restore the older file");
-  compare("cage", session.cage_file.content, document.cage_file,
+  compare("cage", session.cage_file.content, document.cage_file(),
           "if the pose looks wrong, restore the older file");
   return warnings;
 }

@@ -56,7 +56,7 @@ mesh::Point mean_of(std::span<const mesh::Point> positions, std::span<const std:
 }
 
 bool selects_probes(const document::Document& document) {
-  return document.selection.kind() == document::ElementKind::probe;
+  return document.selection().kind() == document::ElementKind::probe;
 }
 
 // Returns the given vertices with an edge to the largest connected part of the other vertices.
@@ -105,10 +105,10 @@ glm::dvec3 forward(const mesh::Vec3& axis) {
 }
 
 glm::dvec3 middle_of(const document::Document& document, const Vertices& vertices) {
-  if (!selects_probes(document)) return document::vector_of(mean_of(document.pose.positions, vertices));
+  if (!selects_probes(document)) return document::vector_of(mean_of(document.pose().positions, vertices));
   glm::dvec3 sum(0);
-  const auto count = static_cast<double>(document.selection.size());
-  for (const auto i : document.selection.indices())
+  const auto count = static_cast<double>(document.selection().size());
+  for (const auto i : document.selection().indices())
     sum += document::vector_of(probe_center(document, i)) / count;
   return sum;
 }
@@ -132,7 +132,7 @@ glm::dvec3 pivot_of(const document::Document& document, const document::Handling
 // The columns are the axes of inertia of the selection, from the longest extent to the shortest.
 glm::dmat3 axes_of_selection(const document::Document& document, const Vertices& vertices) {
   mesh::Surface cloud;
-  for (const auto v : vertices) cloud.positions.push_back(document.pose.positions[v]);
+  for (const auto v : vertices) cloud.positions.push_back(document.pose().positions[v]);
   if (cloud.positions.size() < 2 || !(mesh::bounds(cloud.positions).diagonal() > 0)) return glm::dmat3(1);
   const cages::Frame frame = cages::own_frame(cloud);
   std::array<std::pair<double, glm::dvec3>, 3> extents;
@@ -219,12 +219,12 @@ mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, co
 
 std::vector<Gripped> gripped(const document::Document& document, const document::SoftSelection& soft,
                              const document::Mirror* mirror) {
-  if (document.selection.kind() == document::ElementKind::probe) return {};
+  if (document.selection().kind() == document::ElementKind::probe) return {};
   const auto leading = leading_vertices(document, mirror);
   std::vector<Gripped> own;
   if (soft.on) {
-    own = softened(*document.cage, document.pose.positions, leading, soft,
-                   soft.radius * document.space.diagonal());
+    own = softened(*document.cage(), document.pose().positions, leading, soft,
+                   soft.radius * document.space().diagonal());
   } else {
     for (const auto v : leading) own.push_back({v});
   }
@@ -281,31 +281,31 @@ void apply(const Transform& transform, const Grip& grip, std::span<const mesh::P
 }
 
 std::optional<glm::dvec3> center_of_active(const document::Document& document) {
-  const auto active = document.selection.active();
+  const auto active = document.selection().active();
   if (!active || selects_probes(document)) return std::nullopt;
-  return document::vector_of(element_middle(document, document.selection.kind(), *active));
+  return document::vector_of(element_middle(document, document.selection().kind(), *active));
 }
 
 std::optional<glm::dvec3> joint_of(const document::Document& document,
                                    const std::vector<std::uint32_t>& vertices) {
-  const Vertices border = border_of(*document.cage, vertices);
+  const Vertices border = border_of(*document.cage(), vertices);
   if (border.empty()) return std::nullopt;
-  return document::vector_of(mean_of(document.pose.positions, border));
+  return document::vector_of(mean_of(document.pose().positions, border));
 }
 
 std::vector<std::uint32_t> leading_vertices(const document::Document& document,
                                             const document::Mirror* mirror) {
   std::vector<std::uint32_t> selected = moving_vertices(document);
   if (!mirror || selected.empty()) return selected;
-  const auto& rest = document.cage->surface.positions;
+  const auto& rest = document.cage()->surface.positions;
   const auto side = [&](std::uint32_t v) {
     return mesh::dot(mirror->plane.normal, rest[v]) - mirror->plane.offset;
   };
   double balance = 0;
   for (const auto v : selected) balance += mirror->is_paired(v) ? (side(v) >= 0 ? 1 : -1) : 0;
-  if (const auto active = document.selection.active()) {
+  if (const auto active = document.selection().active()) {
     double of_active = 0;
-    for (const auto v : element_vertices(*document.cage, document.selection.kind(), *active))
+    for (const auto v : element_vertices(*document.cage(), document.selection().kind(), *active))
       of_active += mirror->is_paired(v) ? side(v) : 0;
     if (of_active != 0) balance = of_active;
   }

@@ -12,7 +12,7 @@ namespace {
 
 void put_visible(document::Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
                  const mesh::Point& place) {
-  if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;
+  if (v >= hidden.size() || !hidden[v]) document.changed_pose().positions[v] = place;
 }
 
 std::vector<mesh::Point> begin_edit(document::Document& document, const char* label) {

@@ -129,7 +129,7 @@ std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Po
 
 std::optional<Pick> pick_inside(const document::Document& document, const document::Camera& camera,
                                 const document::Ray& ray, const Flags& hidden) {
-  const mesh::Surface& cage = document.cage->surface;
+  const mesh::Surface& cage = document.cage()->surface;
   // In an orthographic view, points behind the eye are visible.
   const double start = camera.pose().orthographic ? -std::numeric_limits<double>::max() : 0;
   double first = std::numeric_limits<double>::max();
@@ -138,7 +138,7 @@ std::optional<Pick> pick_inside(const document::Document& document, const docume
     if (hidden[cage.triangle_polygon[t]]) continue;
     std::array<glm::dvec3, 3> corners;
     for (int i = 0; i < 3; ++i)
-      corners[i] = document.space.to_view(document.pose.positions[cage.triangles[t][i]]);
+      corners[i] = document.space().to_view(document.pose().positions[cage.triangles[t][i]]);
     const auto hit = hit_triangle(ray, corners);
     if (!hit || hit->distance <= start || hit->distance >= first) continue;
     first = hit->distance;
@@ -161,13 +161,13 @@ std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge&
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
                                  const document::Camera& camera, const document::Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight) {
-  const Projector project(document.space, camera, viewport);
+  const Projector project(document.space(), camera, viewport);
   const Flags hidden = hidden_elements(document, kind);
   if (kind == document::ElementKind::probe)
     return pick_point(project, probe_centers(document), cursor, nullptr, hidden);
   if (!document.has_cage()) return std::nullopt;
-  const auto& points = document.pose.positions;
-  const auto& edges = document.cage->edges;
+  const auto& points = document.pose().positions;
+  const auto& edges = document.cage()->edges;
   if (kind == document::ElementKind::vertex) return pick_point(project, points, cursor, sight, hidden);
   if (kind == document::ElementKind::edge) return pick_edge(project, points, edges, cursor, sight, hidden);
   const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport), hidden);
@@ -175,25 +175,25 @@ std::optional<Pick> pick_element(const document::Document& document, document::E
   const Flags hidden_edges = hidden_elements(document, document::ElementKind::edge);
   const auto edge = pick_edge(project, points, edges, cursor, sight, hidden_edges);
   if (!edge) return std::nullopt;
-  const auto face = face_at(*document.cage, edges[edge->index], hidden);
+  const auto face = face_at(*document.cage(), edges[edge->index], hidden);
   return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
 }
 
 std::optional<Pick> pick_element(const document::Document& document, const document::Camera& camera,
                                  const document::Viewport& viewport, const glm::vec2& cursor,
                                  const Sight* sight) {
-  return pick_element(document, document.selection.kind(), camera, viewport, cursor, sight);
+  return pick_element(document, document.selection().kind(), camera, viewport, cursor, sight);
 }
 
 bool is_crowded(const document::Document& document, const document::Camera& camera,
                 const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight) {
   constexpr int crowd = 8;
-  if (!document.has_cage() || document.selection.kind() == document::ElementKind::probe) return false;
-  const Projector project(document.space, camera, viewport);
+  if (!document.has_cage() || document.selection().kind() == document::ElementKind::probe) return false;
+  const Projector project(document.space(), camera, viewport);
   const Flags hidden = hidden_elements(document, document::ElementKind::vertex);
   int close = 0;
   for (std::size_t v = 0; v < hidden.size(); ++v) {
-    const auto at = project(document.pose.positions[v]);
+    const auto at = project(document.pose().positions[v]);
     if (!at || hidden[v] || glm::distance(glm::vec2(*at), cursor) > 4 * tolerance) continue;
     if (!sight || sight->sees(*at)) ++close;
     if (close == crowd) return true;
@@ -207,10 +207,10 @@ template <class Inside>
 std::vector<std::uint32_t> pick_within(const document::Document& document, const document::Camera& camera,
                                        const document::Viewport& viewport, const Inside& inside,
                                        const Sight* sight) {
-  const Projector project(document.space, camera, viewport);
-  const auto kind = document.selection.kind();
+  const Projector project(document.space(), camera, viewport);
+  const auto kind = document.selection().kind();
   const auto points =
-      kind == document::ElementKind::probe ? probe_centers(document) : document.pose.positions;
+      kind == document::ElementKind::probe ? probe_centers(document) : document.pose().positions;
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto at = project(points[i]);
@@ -218,7 +218,7 @@ std::vector<std::uint32_t> pick_within(const document::Document& document, const
   }
   if (kind == document::ElementKind::probe || !document.has_cage()) return found;
   const document::Selection vertices(document::ElementKind::vertex, found);
-  found = without_hidden(document, converted(*document.cage, vertices, kind)).indices();
+  found = without_hidden(document, converted(*document.cage(), vertices, kind)).indices();
   if (sight) {
     std::erase_if(found, [&](auto i) {
       const auto at = project(element_middle(document, kind, i));
@@ -254,8 +254,8 @@ std::vector<std::uint32_t> pick_elements_in_circle(const document::Document& doc
                                                    const document::Viewport& viewport,
                                                    const glm::vec2& center, float radius,
                                                    const Sight* sight) {
-  const Projector project(document.space, camera, viewport);
-  const auto kind = document.selection.kind();
+  const Projector project(document.space(), camera, viewport);
+  const auto kind = document.selection().kind();
   const auto under = pick_element(document, camera, viewport, center, sight);
   const Flags hidden = hidden_elements(document, kind);
   std::vector<std::uint32_t> found;

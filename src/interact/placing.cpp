@@ -35,19 +35,19 @@ struct Motion {
   // Rotates in small steps, and updates the turns of the pose after each step.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
-    deform::CageState cage(document.cage, deform::Elements::face, deform::Blend::srl);
+    deform::CageState cage(document.cage(), deform::Elements::face, deform::Blend::srl);
     for (int i = 1; i <= steps; ++i) {
       show(from + (to - from) * i / steps);
-      cage.set_pose(document.pose);
-      document.pose.turns = cage.report().turns;
+      cage.set_pose(document.pose());
+      document.changed_pose().turns = cage.report().turns;
     }
   }
 
   // Adds `count` whole turns. Rotates only once, and multiplies the change of the pose's turns by |count|.
   void follow_whole(double from, int count) {
     if (count == 0) return;
-    auto& turns = document.pose.turns;
-    turns.resize(document.cage->roots.size(), {0, 0, 0});
+    auto& turns = document.changed_pose().turns;
+    turns.resize(document.cage()->roots.size(), {0, 0, 0});
     const auto start = turns;
     follow(from, from + std::copysign(360, count));
     for (std::size_t part = 0; part < turns.size(); ++part) {
@@ -87,7 +87,7 @@ double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
 
 std::vector<mesh::Vec3> least_turns(const document::Document& document,
                                     const std::vector<mesh::Point>& positions) {
-  deform::CageState state(document.cage, deform::Elements::face, deform::Blend::srl);
+  deform::CageState state(document.cage(), deform::Elements::face, deform::Blend::srl);
   state.set_pose({positions, {}});
   return state.report().turns;
 }
@@ -103,11 +103,11 @@ std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn
 }
 
 bool is_in_range(const document::Document& document, const Grip& grip) {
-  const deform::Pose& pose = document.pose;
+  const deform::Pose& pose = document.pose();
   return mesh::bounds(pose.positions).diagonal() <= document::most_drawn &&
          std::all_of(
              grip.vertices.begin(), grip.vertices.end(),
-             [&](const Gripped& g) { return is_in_reach(document.space, pose.positions[g.vertex]); }) &&
+             [&](const Gripped& g) { return is_in_reach(document.space(), pose.positions[g.vertex]); }) &&
          std::all_of(pose.turns.begin(), pose.turns.end(),
                      [](const auto& turn) { return deform::norm(turn) <= document::largest_turn; });
 }
@@ -126,8 +126,8 @@ deform::ProbePose moved(const deform::Probe& probe, const document::Carried& car
 }
 
 bool in_range(const document::Document& document, std::size_t i) {
-  const deform::ProbePose& pose = document.probes.all[i].pose;
-  return is_in_reach(document.space, probe_center(document, i)) &&
+  const deform::ProbePose& pose = document.probes().all[i].pose;
+  return is_in_reach(document.space(), probe_center(document, i)) &&
          deform::norm(pose.turn) <= document::largest_turn && document::is_probe_stretch(pose.stretch);
 }
 
@@ -155,10 +155,10 @@ bool place(document::Document& document, const document::DocumentState& snapshot
 void count_whole_turns(document::Document& document, const document::DocumentState& before, const Grip& grip,
                        const Transform& t) {
   if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;
-  const auto axes = axes_of_parts(*document.cage, grip, t.axis);
+  const auto axes = axes_of_parts(*document.cage(), grip, t.axis);
   if (std::ranges::all_of(axes, [](const mesh::Vec3& axis) { return axis == mesh::Vec3{}; })) return;
   const auto from = least_turns(document, before.pose.positions);
-  const auto to = least_turns(document, document.pose.positions);
+  const auto to = least_turns(document, document.pose().positions);
   auto& turns = document.changed_pose().turns;
   turns.resize(axes.size(), {0, 0, 0});
   for (std::size_t part = 0; part < axes.size(); ++part) {
@@ -177,13 +177,13 @@ void count_whole_turns(document::Document& document, const document::DocumentSta
 
 bool transform_selection(document::Document& document, Tool tool, const Grip& grip,
                          const Transform& transform) {
-  const document::DocumentState before = state_of(document);
+  const document::DocumentState before = document.state();
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
   if (!place(document, before, grip, bounded, 0)) return false;
   count_whole_turns(document, before, grip, bounded);
   if (moved_since(document, before) || transform.degrees != 0)
-    document.history.record(edit_label(tool, document.selection), before);
+    document.changed_history().record(edit_label(tool, document.selection()), before);
   return true;
 }
 

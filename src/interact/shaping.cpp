@@ -14,7 +14,7 @@ namespace {
 glm::dvec3 far_end(const document::Document& document, const Grip& grip, const glm::dvec3& from) {
   std::vector<std::pair<double, glm::dvec3>> places;
   for (const Gripped& g : grip.vertices) {
-    const glm::dvec3 p = document::vector_of(document.pose.positions[g.vertex]);
+    const glm::dvec3 p = document::vector_of(document.pose().positions[g.vertex]);
     if (g.side != Gripped::Side::other && g.share == 1) places.emplace_back(-glm::distance(p, from), p);
   }
   std::ranges::sort(places, {}, [](const auto& place) { return place.first; });
@@ -31,7 +31,7 @@ void put_ends(const document::Document& document, const Grip& grip, bool at_medi
     const auto vertices = leading_vertices(document, nullptr);
     shaping.from = joint_of(document, vertices).value_or(far_end(document, grip, grip.anchor.center));
   }
-  const double size = document.space.diagonal();
+  const double size = document.space().diagonal();
   shaping.to = center_of_active(document).value_or(shaping.from);
   if (glm::distance(shaping.from, shaping.to) < 1e-6 * size)
     shaping.to = far_end(document, grip, shaping.from);
@@ -45,10 +45,10 @@ void put_ends(const document::Document& document, const Grip& grip, bool at_medi
 }
 
 std::vector<mesh::Vec3> smoothing_ways(const document::Document& document, const Grip& grip) {
-  const auto& positions = document.pose.positions;
+  const auto& positions = document.pose().positions;
   std::vector<mesh::Point> sums(positions.size(), {0, 0, 0});
   std::vector<double> counts(positions.size(), 0);
-  for (const auto& [a, b] : document.cage->edges) {
+  for (const auto& [a, b] : document.cage()->edges) {
     sums[a] = sums[a] + positions[b], sums[b] = sums[b] + positions[a];
     ++counts[a], ++counts[b];
   }
@@ -63,7 +63,7 @@ std::vector<mesh::Vec3> smoothing_ways(const document::Document& document, const
 std::vector<mesh::Vec3> relaxing_ways(const document::Document& document, const Grip& grip) {
   std::vector<mesh::Vec3> ways;
   for (const Gripped& g : grip.vertices)
-    ways.push_back(document.cage->surface.positions[g.vertex] - document.pose.positions[g.vertex]);
+    ways.push_back(document.cage()->surface.positions[g.vertex] - document.pose().positions[g.vertex]);
   return ways;
 }
 

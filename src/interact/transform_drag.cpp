@@ -73,10 +73,10 @@ std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection,
 
 TransformDrag::TransformDrag(const document::Document& document, Grip grip, Tool tool, Constraint constraint,
                              double depth, const glm::vec2& cursor, const document::Camera& camera)
-    : before_(state_of(document)),
+    : before_(document.state()),
       grip_(std::move(grip)),
       vertices_(vertices_of(grip_)),
-      space_(document.space),
+      space_(document.space()),
       tool_(tool),
       constraint_(constraint),
       view_hinge_(grip_.shaping.hinge),
@@ -104,7 +104,7 @@ void TransformDrag::update(document::Document& document, const DragInput& input,
   const auto value = entry_.value();
   transform_ = value ? typed(*value) : by_mouse;
   const bool same_axis = transform_.axis == seen.axis;
-  if (!same_axis) document.pose.turns = before_.pose.turns;
+  if (!same_axis) document.changed_pose().turns = before_.pose.turns;
   in_range_ = place(document, before_, grip_, transform_, same_axis && in_range_ ? seen.degrees : 0);
 }
 
@@ -273,7 +273,7 @@ Transform TransformDrag::typed(double value) const {
 
 void TransformDrag::soften(document::Document& document, const document::SoftSelection& soft,
                            const document::Mirror* mirror) {
-  document.pose = before_.pose;
+  document.changed_pose() = before_.pose;
   grip_.vertices = gripped(document, soft, mirror);
   vertices_ = vertices_of(grip_);
   ++softened_;
@@ -283,7 +283,7 @@ void TransformDrag::soften(document::Document& document, const document::SoftSel
 void TransformDrag::commit(document::Document& document) const {
   if (!in_range_ || (!moved_since(document, before_) && transform_.degrees == 0)) return;
   count_whole_turns(document, before_, grip_, transform_);
-  document.history.record(label(), before_);
+  document.changed_history().record(label(), before_);
 }
 
 std::string TransformDrag::label() const {
@@ -295,9 +295,9 @@ std::string TransformDrag::label() const {
 void TransformDrag::cancel(document::Document& document) const {
   document.changed_pose() = before_.pose;
   document.changed_probes() = before_.probes;
-  document.library = before_.library;
+  document.changed_library() = before_.library;
   document.put_shape(before_.shape);
-  document.selection = before_.selection;
+  document.changed_selection() = before_.selection;
 }
 
 std::string TransformDrag::shaped_amount() const {

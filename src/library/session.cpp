@@ -18,7 +18,7 @@ struct Session::Impl {
     opened = files::open_files({files::OpenRequest::What::model, {file}}, {});
     files::check_deformable(opened);
     what = files::export_of(*opened.document, {});
-    const document::Timeline& timeline = opened.document->timeline;
+    const document::Timeline& timeline = opened.document->timeline();
     if (!timeline.keys.empty())
       animated.emplace(what, timeline, files::AnimatedModel::Precision::exact, 0, std::span<const double>{},
                        pool);
@@ -53,7 +53,7 @@ Mesh Session::model() const {
 }
 
 std::array<int, 2> Session::range() const {
-  const document::Timeline& timeline = impl_->opened.document->timeline;
+  const document::Timeline& timeline = impl_->opened.document->timeline();
   return timeline.keys.empty() ? std::array{1, 1} : std::array{timeline.first, timeline.last};
 }
 

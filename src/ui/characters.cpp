@@ -27,9 +27,9 @@ void add_each(Characters& all, const List& list, Text text) {
 }
 
 void add_files(Characters& all, const workspace::Workspace& w) {
-  add(all, w.document.model.path.native());
-  add(all, w.document.cage_file.path.native());
-  add(all, w.document.cage_beside.native());
+  add(all, w.document.model().path.native());
+  add(all, w.document.cage_file().path.native());
+  add(all, w.document.cage_beside().native());
   add(all, w.files.saved.session.native());
   for (const workspace::RecentFile& recent : w.preferences.recent) {
     add(all, recent.file.native());
@@ -55,14 +55,12 @@ std::set<char32_t> shown_characters(const workspace::Workspace& w) {
   Characters all;
   add_files(all, w);
   add_browser(all, w.files.browser);
-  add_each(all, w.document.library.poses, &document::NamedPose::name);
-  add_each(all, w.document.groups.sets, &document::NamedSet::name);
+  add_each(all, w.document.library().poses, &document::NamedPose::name);
+  add_each(all, w.document.groups().sets, &document::NamedSet::name);
   add_each(all, w.messages.all(), &workspace::Message::text);
-  for (const auto* work : {&w.jobs.loading, &w.jobs.binding, &w.jobs.exporting})
-    add(all, work->what);
+  for (const auto* work : {&w.jobs.loading, &w.jobs.binding, &w.jobs.exporting}) add(all, work->what);
   if (const auto& question = w.files.question) {
-    for (const std::string* text : {&question->title, &question->text, &question->why})
-      add(all, *text);
+    for (const std::string* text : {&question->title, &question->text, &question->why}) add(all, *text);
   }
   for (const ImWchar typed : ImGui::GetIO().InputQueueCharacters)
     if (typed > 0xff) all.insert(typed);

@@ -159,7 +159,7 @@ void gizmo_overlay(const Context& ui) {
   if (w.view.interaction.box) return;
   OverlayPainter painter(ui);
   if (drag)
-    guides(ui, painter, interact::drag_guides(*drag, w.document.space, w.view.camera, w.view.viewport));
+    guides(ui, painter, interact::drag_guides(*drag, w.document.space(), w.view.camera, w.view.viewport));
   if (const auto gizmo = workspace::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
   if (drag) readout(ui, drag->readout());
 }
@@ -192,7 +192,7 @@ void partners_of_selection(const Context& ui, OverlayPainter& painter, const int
   for (const auto v : document::moving_vertices(document)) {
     const bool lacks = mirror.partners[v] == document::Mirror::none;
     if (!lacks && !mirror.is_paired(v)) continue;
-    if (const auto at = project(document.pose.positions[lacks ? v : mirror.partners[v]]))
+    if (const auto at = project(document.pose().positions[lacks ? v : mirror.partners[v]]))
       painter.circle(glm::vec2(*at), 7.5f, lacks ? ui.colors.bad : ui.colors.highlight, 1.25f);
   }
 }
@@ -201,7 +201,7 @@ void partners_of_selection(const Context& ui, OverlayPainter& painter, const int
 void mirror_plane(const Context& ui, OverlayPainter& painter, const interact::Projector& project,
                   const document::Mirror& mirror) {
   std::vector<glm::vec2> corners;
-  for (const auto& corner : document::rectangle_in_plane(mirror, ui.workspace.document.pose.positions)) {
+  for (const auto& corner : document::rectangle_in_plane(mirror, ui.workspace.document.pose().positions)) {
     const auto at = project(corner);
     if (!at) return;
     corners.emplace_back(*at);
@@ -214,11 +214,11 @@ void soft_circle(const Context& ui, OverlayPainter& painter) {
   const workspace::Workspace& w = ui.workspace;
   const interact::TransformDrag& drag = *w.view.interaction.drag;
   const glm::dvec3 center = drag.grip().anchor.center + drag.transform().shift;
-  const glm::dvec3 at(w.document.space.to_view({center.x, center.y, center.z}));
+  const glm::dvec3 at(w.document.space().to_view({center.x, center.y, center.z}));
   if (!(w.view.camera.depth(glm::vec3(at)) > 0)) return;
   const interact::CursorProjection seen(at, w.view.camera, w.view.viewport);
-  const auto pixels = static_cast<float>(w.view.handling.soft.radius * w.document.space.diagonal() *
-                                         w.document.space.scale / seen.per_pixel());
+  const auto pixels = static_cast<float>(w.view.handling.soft.radius * w.document.space().diagonal() *
+                                         w.document.space().scale / seen.per_pixel());
   if (pixels < 4000) painter.circle(glm::vec2(seen.at()), pixels, ui.colors.highlight, 1.25f, 0.5f);
 }
 
@@ -226,9 +226,9 @@ void soft_circle(const Context& ui, OverlayPainter& painter) {
 
 void hand_overlay(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  if (!w.document.model.surface) return;
+  if (!w.document.model().surface) return;
   OverlayPainter painter(ui);
-  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
+  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
   const document::Mirror* const mirror = workspace::mirror_of(w);
   if (w.view.options.cage && mirror && w.document.has_cage()) {
     if (w.view.interaction.drag)

@@ -30,8 +30,8 @@ std::string capitalised(std::string text) {
 void history_menu(const Context& ui) {
   constexpr std::size_t most = 50;
   workspace::Workspace& w = ui.workspace;
-  const std::vector<std::string> labels = w.document.history.labels();
-  const std::size_t position = w.document.history.position();
+  const std::vector<std::string> labels = w.document.history().labels();
+  const std::size_t position = w.document.history().position();
   const bool open = ImGui::BeginMenu("History", !labels.empty() && !workspace::is_dragging(w));
   record(ui, "menu/history");
   if (!open) return;

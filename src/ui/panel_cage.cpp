@@ -20,7 +20,7 @@ std::string surface_text(const document::Summary& summary) {
 }  // namespace
 
 void panel_model(const Context& ui) {
-  const auto& model = ui.workspace.document.model;
+  const auto& model = ui.workspace.document.model();
   const bool open = section(ui, "Model");
   if (model.surface) section_note(ui, surface_text(model.summary));
   if (!open) return;
@@ -42,7 +42,7 @@ void panel_model(const Context& ui) {
 void panel_cage(const Context& ui) {
   const auto& document = ui.workspace.document;
   const bool open = section(ui, "Cage");
-  if (document.has_cage()) section_note(ui, document.cage_file.summary.closed() ? "watertight" : "open");
+  if (document.has_cage()) section_note(ui, document.cage_file().summary.closed() ? "watertight" : "open");
   if (!open) return;
   const bool wishing = ui.workspace.making.open && !ui.workspace.making.closing;
   if (wishing) panel_making(ui);
@@ -52,12 +52,12 @@ void panel_cage(const Context& ui) {
     command_row(ui, {"open_cage", "make_cage"});
     return;
   }
-  ImGui::TextUnformatted(name_of(document.cage_file).c_str());
-  hint(place_of(document.cage_file) + "  (" + document.cage_file.format + ")");
-  const auto& summary = document.cage_file.summary;
+  ImGui::TextUnformatted(name_of(document.cage_file()).c_str());
+  hint(place_of(document.cage_file()) + "  (" + document.cage_file().format + ")");
+  const auto& summary = document.cage_file().summary;
   value_row(ui, "Vertices, triangles", count(summary.vertices) + "  " + count(summary.triangles));
   command_row(ui, {"open_cage", "make_cage", "edit_cage"});
-  if (!document.kept_pose) return;
+  if (!document.kept_pose()) return;
   command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
   command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
   command_row(ui, {"mirror_cage", "fit_cage", "enclose_model"});
@@ -156,14 +156,14 @@ void panel_making(const Context& ui) {
 namespace {
 
 bool is_free(const workspace::Workspace& w) {
-  return w.panels.offer_cage && w.document.model.surface && !w.making.open && !w.jobs.loading.running &&
+  return w.panels.offer_cage && w.document.model().surface && !w.making.open && !w.jobs.loading.running &&
          !w.files.browser.open && !w.files.question && w.view.options.panels && !w.panels.key_list.open;
 }
 
 // The finding about vertices outside the cage. Null during the checks, and after the first edit unless a
 // change of the cage has pushed vertices out.
 const document::Finding* outside(const workspace::Workspace& w) {
-  const bool begun = w.document.history.can_undo() || w.document.kept_pose;
+  const bool begun = w.document.history().can_undo() || w.document.kept_pose();
   if (!w.document.has_cage() || w.checks.running || w.view.interaction.drag) return nullptr;
   if (begun && !w.checks.pushed_out) return nullptr;
   const auto at = workspace::outside_finding(w.checks);
@@ -186,8 +186,8 @@ void ways_to_a_cage(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   const float width =
       words(ui, "This model has no cage", "A cage is a coarse mesh around the model. Drag it to deform.");
-  if (!w.document.cage_beside.empty()) {
-    text_in(ui.colors.text, w.document.cage_beside.filename().string() + " is in the same folder.");
+  if (!w.document.cage_beside().empty()) {
+    text_in(ui.colors.text, w.document.cage_beside().filename().string() + " is in the same folder.");
     command_button(ui, "open_cage_beside", width);
   }
   command_button(ui, "make_cage", width);

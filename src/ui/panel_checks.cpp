@@ -109,7 +109,7 @@ void fit_buttons(const Context& ui) {
   if (!at) return;
   const document::Finding& found = checks.findings[*at];
   const std::string outside = document::title(found) + ". ";
-  if (ui.workspace.document.kept_pose) {  // panel_cage() shows the buttons Enclose and Fit
+  if (ui.workspace.document.kept_pose()) {  // panel_cage() shows the buttons Enclose and Fit
     note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
     return command_row(ui, {"show_outside"});
   }
@@ -122,7 +122,7 @@ void fit_buttons(const Context& ui) {
 
 void panel_checks(const Context& ui) {
   auto& checks = ui.workspace.checks;
-  if (!ui.workspace.document.model.surface) return;
+  if (!ui.workspace.document.model().surface) return;
   const std::size_t matter = checks.running ? 0 : mattering(checks);
   if (checks.fresh) ui.workspace.preferences.layout.sections["Checks"] = matter > 0;
   checks.fresh = false;

@@ -24,7 +24,7 @@ constexpr float chooser_label = 84;
 // Lists the settings that `next` would change, except the setting `chosen`. Adds the memory for binding.
 std::string consequences(const workspace::Workspace& w, const document::Scheme& next,
                          std::string_view chosen) {
-  const document::Scheme& now = w.document.scheme;
+  const document::Scheme& now = w.document.scheme();
   std::string text;
   const auto say = [&](const char* what, std::string_view before, std::string_view after) {
     if (before != after && after != chosen) text += '\n' + std::string(what) + ": " + std::string(after);
@@ -44,7 +44,7 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   if (ImGui::Selectable(command.brief.data(), chosen)) command.run(w);
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
-  const document::Scheme next = document::chosen(choice.value, w.document.scheme);
+  const document::Scheme next = document::chosen(choice.value, w.document.scheme());
   hint(std::string(choice.sentence) + consequences(w, next, choice.label));
 }
 
@@ -68,7 +68,7 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
 // A slider that stops only at the fractions in `stops`. Other values can be typed in percent.
 void number_slider(const Context& ui, const char* name, std::span<const double> stops) {
   document::Document& document = ui.workspace.document;
-  document::Scheme scheme = document.scheme;
+  document::Scheme scheme = document.scheme();
   const auto& number = document::number(name);
   const bool used = number.need.met(scheme);
   double& value = number.of(scheme);
@@ -101,7 +101,7 @@ void number_slider(const Context& ui, const char* name, std::span<const double> 
 void arap(const Context& ui) {
   document::Document& document = ui.workspace.document;
   const workspace::Condition& condition = workspace::find_command("toggle_arap")->enabled;
-  const bool possible = condition(ui.workspace), stitched = document.scheme.stitched();
+  const bool possible = condition(ui.workspace), stitched = document.scheme().stitched();
   row_label("Solve", chooser_label);
   ImGui::BeginDisabled(!possible);
   command_toggle(ui, "toggle_arap", stitched);
@@ -110,7 +110,7 @@ void arap(const Context& ui) {
   if (!stitched) return;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  int iterations = document.scheme.iterations;
+  int iterations = document.scheme().iterations;
   const Slid slid = slider(ui, "iterations", iterations, 1, document::most_iterations, [&] {
     return ImGui::SliderInt("##iterations", &iterations, 1, document::most_iterations,
                             iterations == 1 ? "%d iteration" : "%d iterations",
@@ -127,14 +127,14 @@ void arap(const Context& ui) {
 
 void panel_custom(const Context& ui) {
   if (!section(ui, "Custom deformer", false)) return;
-  const document::Scheme& scheme = ui.workspace.document.scheme;
+  const document::Scheme& scheme = ui.workspace.document.scheme();
   chooser(ui, "weights", "Weights", document::all_weights(), std::optional(scheme.weighting.weights));
   chooser(ui, "blend", "Blend", document::all_blends(), std::optional(scheme.blend));
   arap(ui);
 }
 
 void panel_deformer(const Context& ui) {
-  const document::Scheme& scheme = ui.workspace.document.scheme;
+  const document::Scheme& scheme = ui.workspace.document.scheme();
   heading(ui, "Deformer");
   chooser(ui, "way", "", document::all_ways(), document::way_of(scheme));
   constexpr std::array radii{0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};

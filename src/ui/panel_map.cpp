@@ -35,7 +35,7 @@ void panel_display(const Context& ui) {
 
 void panel_map(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  if (!w.document.model.surface) return;
+  if (!w.document.model().surface) return;
   const analysis::Field wanted = w.view.options.field;
   const bool open = section(ui, "Map", false);
   section_note(ui, wanted == analysis::Field::none ? "" : std::string(base::entry_of(wanted).label));
@@ -45,7 +45,7 @@ void panel_map(const Context& ui) {
     return note(ui, "Choose a measure of the deformation to colour the model.");
   if (workspace::shown_field(w) == analysis::Field::none)
     return note(ui, "Not available here: this map needs a cage and the blend \"Log space\".");
-  const bool needs_selection = wanted == analysis::Field::influence && w.document.selection.empty();
+  const bool needs_selection = wanted == analysis::Field::influence && w.document.selection().empty();
   note_within(
       ui, 2,
       needs_selection ? "Select a probe or a part of the cage." : std::string(base::entry_of(wanted).hint));
@@ -127,7 +127,7 @@ std::optional<double> pointed_value(const workspace::Workspace& w, const workspa
   const auto hit =
       document::pick_triangle(w.document, w.frame.posed, w.view.camera.ray(*cursor, w.view.viewport));
   if (!hit) return std::nullopt;
-  const auto& corners = w.document.model.surface->triangles[hit->triangle];
+  const auto& corners = w.document.model().surface->triangles[hit->triangle];
   double value = 0;
   for (std::size_t k = 0; k < 3; ++k)
     value += hit->shares[k] * static_cast<double>((*shown.values)[corners[k]]);

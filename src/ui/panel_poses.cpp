@@ -87,7 +87,7 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
-  const document::NamedPose& named = ui.workspace.document.library.poses[index];
+  const document::NamedPose& named = ui.workspace.document.library().poses[index];
   const std::string id = std::to_string(index);
   picture(ui, index, named, wish);
   ImGui::SameLine();
@@ -124,8 +124,8 @@ void grant(workspace::Workspace& w, const PoseWish& wish) {
 
 void panel_poses(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.document.model.surface) return;
-  const std::size_t poses = w.document.library.poses.size();
+  if (!w.document.model().surface) return;
+  const std::size_t poses = w.document.library().poses.size();
   const bool open = section(ui, "Poses");
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;

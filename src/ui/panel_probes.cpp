@@ -18,14 +18,14 @@ constexpr float probe_label = 76;
 
 void influence(const Context& ui, const char* label, const char* name, document::Part part) {
   document::Document& document = ui.workspace.document;
-  document::Influence shown = document.probes.all[document.selection.indices().front()].*part;
+  document::Influence shown = document.probes().all[document.selection().indices().front()].*part;
   row_label(label, probe_label);
   const std::string prefix = std::string("probe_") + name;
   constexpr float falloff_width = 92;
   ImGui::SetNextItemWidth(falloff_width);
   const auto falloff = entry_list(ui, prefix, document::all_falloffs(), shown.falloff);
   ImGui::SameLine();
-  const double unit = 0.01 * document.space.diagonal(), least = document::least_probe_radius(document),
+  const double unit = 0.01 * document.space().diagonal(), least = document::least_probe_radius(document),
                most = document::largest_probe_radius(document);
   const bool used = shown.falloff != document::Falloff::none;
   constexpr float value_width = 44;
@@ -63,7 +63,7 @@ void mix(const Context& ui) {
   document::Document& document = ui.workspace.document;
   row_label("Combine", probe_label);
   ImGui::SetNextItemWidth(-1);
-  const auto chosen = entry_list(ui, "probe_mix", document::all_probe_mixes(), document.probes.mix);
+  const auto chosen = entry_list(ui, "probe_mix", document::all_probe_mixes(), document.probes().mix);
   if (chosen) document::set_mix(document, *chosen);
 }
 
@@ -71,13 +71,13 @@ void mix(const Context& ui) {
 
 void panel_probes(const Context& ui) {
   const document::Document& document = ui.workspace.document;
-  const std::size_t probes = document.probes.all.size();
+  const std::size_t probes = document.probes().all.size();
   if (probes == 0) return;
   const bool open = section(ui, "Probes", false);
   section_note(ui, count(probes));
   if (!open) return;
   command_row(ui, {"mirror_probe", "remove_probe"});
-  const bool selected = workspace::selects_probes(ui.workspace) && !document.selection.empty();
+  const bool selected = workspace::selects_probes(ui.workspace) && !document.selection().empty();
   if (document::has_pins(document)) freedom(ui);
   if (selected && workspace::has_pins_selected(ui.workspace)) {
     command_toggle(ui, "toggle_pulls");
@@ -90,12 +90,12 @@ void panel_probes(const Context& ui) {
                  ? "Click a probe in the view to select it."
                  : "Choose \"Select probes\" and click a probe in the view.");
   }
-  if (!std::ranges::all_of(document.probes.all, [](const document::Probe& p) { return p.pin.has_value(); }))
+  if (!std::ranges::all_of(document.probes().all, [](const document::Probe& p) { return p.pin.has_value(); }))
     mix(ui);
   if (!selected) return;
   command_row(ui, {"reset_selected"});
-  const auto& indices = document.selection.indices();
-  const bool locked = std::ranges::all_of(indices, [&](auto i) { return document.probes.all[i].locked; });
+  const auto& indices = document.selection().indices();
+  const bool locked = std::ranges::all_of(indices, [&](auto i) { return document.probes().all[i].locked; });
   command_toggle(ui, "toggle_locked", locked);
 }
 
@@ -125,9 +125,9 @@ void axes(const Context& ui, OverlayPainter& painter, const interact::CursorProj
 // Draws a ring at the pin's target and a line from the pinned vertex. The ring of an exact pin is filled.
 void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 middle, const Shown& shown) {
   const auto& w = ui.workspace;
-  const document::Probe& probe = w.document.probes.all[i];
+  const document::Probe& probe = w.document.probes().all[i];
   const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.accent;
-  const glm::dvec3 vertex(w.document.space.to_view(document::pinned_vertex(w.document, i)));
+  const glm::dvec3 vertex(w.document.space().to_view(document::pinned_vertex(w.document, i)));
   const interact::CursorProjection at(vertex, w.view.camera, w.view.viewport);
   painter.line(glm::vec2(at.at()), middle, color, 1.5f, 0.8f);
   if (!probe.pin->pulls) painter.disc(middle, dot - 1, color, 1);
@@ -137,8 +137,8 @@ void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 mi
 
 void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Shown& shown) {
   const auto& w = ui.workspace;
-  const document::Probe& probe = w.document.probes.all[i];
-  const glm::dvec3 center(w.document.space.to_view(document::probe_center(w.document, i)));
+  const document::Probe& probe = w.document.probes().all[i];
+  const glm::dvec3 center(w.document.space().to_view(document::probe_center(w.document, i)));
   if (!(w.view.camera.depth(glm::vec3(center)) > 0)) return;
   const interact::CursorProjection at(center, w.view.camera, w.view.viewport);
   const glm::vec2 middle(at.at());
@@ -146,7 +146,7 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
   if (probe.pin) return pin(ui, painter, i, middle, shown);
   if (shown.selected && !workspace::shows_mask(w)) {
     const double radius = std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
-    const auto pixels = static_cast<float>(radius * w.document.space.scale / at.per_pixel());
+    const auto pixels = static_cast<float>(radius * w.document.space().scale / at.per_pixel());
     if (pixels < 4000) painter.circle(middle, pixels, ui.colors.highlight, 1.25f, 0.5f);
   }
   axes(ui, painter, at, center, probe.pose, opacity);
@@ -163,14 +163,14 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
 
 void probe_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  if (!w.view.options.cage || w.document.probes.empty()) return;
+  if (!w.view.options.cage || w.document.probes().empty()) return;
   OverlayPainter painter(ui);
   const bool chosen = workspace::selects_probes(w);
-  for (std::size_t i = 0; i < w.document.probes.all.size(); ++i) {
+  for (std::size_t i = 0; i < w.document.probes().all.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(i);
     frame(ui, painter, i,
-          {chosen && w.document.selection.contains(index), chosen && w.view.interaction.hovered == index,
-           w.document.probes.all[i].locked});
+          {chosen && w.document.selection().contains(index), chosen && w.view.interaction.hovered == index,
+           w.document.probes().all[i].locked});
   }
 }
 

@@ -66,7 +66,7 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
 void method_card(const Context& ui, std::size_t index, float width, bool used) {
   workspace::Workspace& w = ui.workspace;
   const workspace::Command& command = *workspace::find_command(command_names[index]);
-  const bool active = w.document.method == analysis::compared_methods[index];
+  const bool active = w.document.method() == analysis::compared_methods[index];
   const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 62};
   if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
   record(ui, command_names[index], used);
@@ -82,7 +82,7 @@ void method_card(const Context& ui, std::size_t index, float width, bool used) {
 
 void panel_method(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  const bool used = w.document.scheme.exponential();
+  const bool used = w.document.scheme().exponential();
   heading(ui, "Method");
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
@@ -154,7 +154,7 @@ Stage segments(const Context& ui, const workspace::LinkTimes& times, double long
 }
 
 std::string label_of(const Context& ui, std::size_t index) {
-  if (!ui.workspace.document.scheme.exponential()) return "All";  // the methods do not differ
+  if (!ui.workspace.document.scheme().exponential()) return "All";  // the methods do not differ
   return method_label(index < all_methods ? compared_methods[index] : workspace::Method::fast);
 }
 
@@ -195,13 +195,13 @@ Stage engine_bars(const Context& ui) {
   const auto add = [&](std::size_t index) {
     if (const Stage hit = bar(ui, index, longest)) stage = hit;
   };
-  if (w.document.scheme.exponential()) {
+  if (w.document.scheme().exponential()) {
     engine_line(ui,
-                w.document.scheme.stitched() ? "Stitched engine" : "Same engine: staged, double precision",
+                w.document.scheme().stitched() ? "Stitched engine" : "Same engine: staged, double precision",
                 "These times compare the methods: all other steps are the same.");
     for (std::size_t i = 0; i < all_methods; ++i) add(i);
   }
-  if (w.document.scheme.stitched()) return stage;
+  if (w.document.scheme().stitched()) return stage;
   ImGui::Dummy({1, 2});
   engine_line(
       ui, "Fused engine: one pass, single precision",

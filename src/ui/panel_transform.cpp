@@ -19,7 +19,7 @@ namespace {
 // Shows one row per set. Changes are applied after all rows are drawn.
 void sets(const Context& ui) {
   document::Document& document = ui.workspace.document;
-  const auto& all = document.groups.sets;
+  const auto& all = document.groups().sets;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float select_width = 64, close = ImGui::GetFrameHeight();
   const float width = ImGui::GetContentRegionAvail().x - select_width - close - 2 * gap;
@@ -56,7 +56,7 @@ void panel_select(const Context& ui) {
   command_row(ui, {"select_more", "select_less", "save_set"});
   const float half = ImGui::GetCursorPosX() + 0.5f * ImGui::GetContentRegionAvail().x;
   command_toggle(ui, "toggle_select_visible");
-  if (!ui.workspace.document.groups.hidden.empty()) {
+  if (!ui.workspace.document.groups().hidden.empty()) {
     ImGui::SameLine(half);
     command_button(ui, "show_hidden", -1);
   }
@@ -108,7 +108,7 @@ void mirror_row(const Context& ui) {
 
 void soft_radius(const Context& ui) {
   document::SoftSelection& soft = ui.workspace.view.handling.soft;
-  const double diagonal = ui.workspace.document.space.diagonal();
+  const double diagonal = ui.workspace.document.space().diagonal();
   const double least = soft.least_radius, most = soft.largest_radius;
   const auto chosen = slider(ui, "soft_radius", soft.radius * diagonal,
                              {.least = least * diagonal,
@@ -149,7 +149,7 @@ void panel_transform(const Context& ui) {
   const bool open = section(ui, "Transform", false);
   section_note(ui, transform_text(ui.workspace));
   if (!open) return;
-  const document::Selection& selection = ui.workspace.document.selection;
+  const document::Selection& selection = ui.workspace.document.selection();
   value_row(ui, "Selected",
             count(selection.size()) + " of " +
                 count(document::element_count(ui.workspace.document, selection.kind())));
@@ -182,7 +182,7 @@ Fields fields(const workspace::Workspace& w) {
   if (tool == interact::Tool::scale)
     return {"Scale by", "Scale along this axis. Type a factor and press Enter.", {1, 1, 1}};
   glm::dvec3 place(0);
-  if (!w.document.selection.empty()) {
+  if (!w.document.selection().empty()) {
     const interact::Anchor anchor = workspace::grip_of(w).anchor;
     place = along(anchor.axes, anchor.center);
   }
@@ -218,7 +218,7 @@ void apply(workspace::Workspace& workspace, int axis, double value) {
 
 void field(const Context& ui, const Fields& fields, int axis, float width) {
   const std::string name = std::string("transform_") + static_cast<char>('x' + axis);
-  const bool enabled = !ui.workspace.document.selection.empty();
+  const bool enabled = !ui.workspace.document.selection().empty();
   const auto number = number_field(ui, name, fields.values[axis], width, fields.hint, enabled);
   if (number && enabled) apply(ui.workspace, axis, *number);
 }
@@ -252,13 +252,13 @@ void brush_fields(const Context& ui) {
 
 void transform_fields(const Context& ui) {
   const auto& w = ui.workspace;
-  const auto kind = static_cast<std::size_t>(w.document.selection.kind());
+  const auto kind = static_cast<std::size_t>(w.document.selection().kind());
   if (w.document.has_cage())
     command_choice(ui, {"select_vertices", "select_edges", "select_faces", "select_probes"}, kind);
   if (w.view.tool == interact::Tool::paint) return brush_fields(ui);
   const Fields shown = fields(w);
   note(ui, shown.label);
-  ImGui::BeginDisabled(w.document.selection.empty() || w.view.interaction.drag);
+  ImGui::BeginDisabled(w.document.selection().empty() || w.view.interaction.drag);
   const float letter = ImGui::CalcTextSize("X").x + ImGui::GetStyle().ItemInnerSpacing.x;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 3 * letter - 2 * spacing) / 3;

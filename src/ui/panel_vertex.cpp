@@ -128,9 +128,9 @@ void vertex_overlay(const Context& ui) {
   constexpr std::size_t most_elements = 16;
   const workspace::Workspace& w = ui.workspace;
   const workspace::VertexView& view = w.view.vertex;
-  if (!view.vertex || !w.document.model.surface) return;
-  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
-  const auto at = project(w.frame.posed.at(*w.document.model.surface, *view.vertex));
+  if (!view.vertex || !w.document.model().surface) return;
+  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
+  const auto at = project(w.frame.posed.at(*w.document.model().surface, *view.vertex));
   if (!at) return;
   OverlayPainter painter(ui);
   const double largest = view.terms.empty() ? 1 : std::abs(view.terms.front().weight);

@@ -15,7 +15,7 @@ void way_list(const Context& ui, const std::string& name, workspace::SplitView& 
   if (!begin_list(ui, name, now ? document::entry(*now).label.data() : "Custom", "")) return;
   for (const auto& entry : document::all_ways())
     if (list_entry(ui, entry.label, name + '_' + std::string(entry.name), now == entry.value, entry.sentence))
-      side.scheme = document::chosen(entry.value, ui.workspace.document.scheme);
+      side.scheme = document::chosen(entry.value, ui.workspace.document.scheme());
   ImGui::EndCombo();
 }
 
@@ -53,7 +53,8 @@ void side_rows(const Context& ui, std::size_t number, workspace::SplitView& side
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
   if (side.other_blending || workspace::has_blended_pose(ui.workspace)) {
-    const char* const words = ui.workspace.document.timeline.linear ? "In log space" : "Linear interpolation";
+    const char* const words =
+        ui.workspace.document.timeline().linear ? "In log space" : "Linear interpolation";
     ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_blending);
     record(ui, name + "/lines");
     hint("Interpolate differently from the first view, to compare log space and linear interpolation.");
@@ -65,7 +66,7 @@ void side_rows(const Context& ui, std::size_t number, workspace::SplitView& side
 
 void panel_views(const Context& ui) {
   workspace::Split& split = ui.workspace.view.split;
-  if (!ui.workspace.document.model.surface || !section(ui, "Views", false)) return;
+  if (!ui.workspace.document.model().surface || !section(ui, "Views", false)) return;
   command_choice(ui, {"views_1", "views_2", "views_3", "views_4"}, split.count() - 1);
   if (!split.on()) return note(ui, "Split the view to compare deformers, methods and maps of one pose.");
   command_toggle(ui, "toggle_linked_cameras");

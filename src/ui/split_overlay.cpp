@@ -19,7 +19,7 @@ constexpr float least_room = 170;  // if there is less room beside the axes, the
 // The interpolation of a view. Empty if all views use the same interpolation.
 std::string blending_words(const workspace::Workspace& w, bool other) {
   if (std::ranges::none_of(w.view.split.sides(), &workspace::SplitView::other_blending)) return "";
-  return w.document.timeline.linear != other ? "linear interpolation" : "log space";
+  return w.document.timeline().linear != other ? "linear interpolation" : "log space";
 }
 
 struct Caption {
@@ -103,7 +103,7 @@ void frame(const Context& ui, const workspace::Pane& pane) {
 
 void split_overlay(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  if (!w.view.split.on() || !w.document.model.surface) return;
+  if (!w.view.split.on() || !w.document.model().surface) return;
   for (std::size_t view = 0; view < w.view.split.count(); ++view) {
     const workspace::Pane pane = workspace::pane_of(w.view.split, view);
     frame(ui, pane);

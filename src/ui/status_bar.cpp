@@ -36,9 +36,9 @@ std::string shape_words(const interact::TransformDrag& drag) {
 bool rotates_posed_cage(const workspace::Workspace& w) {
   const document::Document& d = w.document;
   return w.view.tool == interact::Tool::rotate && d.has_cage() &&
-         d.selection.kind() != document::ElementKind::probe && d.scheme.exponential() &&
-         d.pose.positions != d.cage->surface.positions &&
-         document::selected_vertices(*d.cage, d.selection).size() == d.pose.positions.size();
+         d.selection().kind() != document::ElementKind::probe && d.scheme().exponential() &&
+         d.pose().positions != d.cage()->surface.positions &&
+         document::selected_vertices(*d.cage(), d.selection()).size() == d.pose().positions.size();
 }
 
 // Removes phrases from the end until the text fits. Two spaces separate the phrases.
@@ -91,8 +91,8 @@ std::string mouse_text(const workspace::Workspace& w) {
     return interact::handle_name(w.view.tool, *w.view.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
   if (w.view.interaction.hovered)
-    return hovered_text(w.document.selection, *w.view.interaction.hovered, w.view.interaction.crowded);
-  if (w.document.selection.kind() == document::ElementKind::probe && !w.document.probes.empty())
+    return hovered_text(w.document.selection(), *w.view.interaction.hovered, w.view.interaction.crowded);
+  if (w.document.selection().kind() == document::ElementKind::probe && !w.document.probes().empty())
     return "Drag a probe to move it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
     return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);

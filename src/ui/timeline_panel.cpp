@@ -96,7 +96,7 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
 
 void frame_shown(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  const double shown = std::round(w.document.frame * 10) / 10;
+  const double shown = std::round(w.document.frame() * 10) / 10;
   if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "Current frame.")) {
     workspace::stop_playing(w);
     workspace::go_to_frame(w, *frame);
@@ -172,7 +172,7 @@ void transport(const Context& ui, float right) {
 }
 
 void way_choice(const Context& ui) {
-  const bool linear = ui.workspace.document.timeline.linear;
+  const bool linear = ui.workspace.document.timeline().linear;
   const workspace::Command& command = *workspace::find_command("toggle_linear");
   const char* labels[] = {"Log space", "Linear"};
   const char* hints[] = {
@@ -193,7 +193,7 @@ void way_choice(const Context& ui) {
 
 void rate_field(const Context& ui) {
   document::Document& document = ui.workspace.document;
-  document::Playing play = document.timeline;
+  document::Playing play = document.timeline();
   const auto rate =
       number_field(ui, "time/rate", play.rate, 40, "Playback rate in frames per second, 1 to 240.");
   ImGui::SameLine(0, 4);
@@ -208,7 +208,7 @@ void easing_choice(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   const std::vector<int> eased = workspace::eased_keys(w);
   const document::PoseKey* key =
-      eased.empty() ? nullptr : document::key_at(w.document.timeline, eased.front());
+      eased.empty() ? nullptr : document::key_at(w.document.timeline(), eased.front());
   ImGui::BeginDisabled(!key);
   choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 110,
               {"time/", "Easing",
@@ -218,7 +218,7 @@ void easing_choice(const Context& ui) {
 
 void range(const Context& ui, float right) {
   document::Document& document = ui.workspace.document;
-  document::Playing play = document.timeline;
+  document::Playing play = document.timeline();
   if (const auto first =
           frame_field(ui, "From", "time/first", play.first, 52, "First frame of the playback range."))
     play.first = *first, play.last = std::max(play.last, *first + 1);
@@ -230,7 +230,7 @@ void range(const Context& ui, float right) {
   const ToolPiece pieces[] = {{76, 8, [&] { rate_field(ui); }},
                               {92, 8,
                                [&] {
-                                 choice_list(ui, "time/repeat", std::optional(document.timeline.repeat), 92,
+                                 choice_list(ui, "time/repeat", std::optional(document.timeline().repeat), 92,
                                              {.prefix = "time/"});
                                }},
                               {138, 8, [&] { way_choice(ui); }},
@@ -258,7 +258,7 @@ void timeline_panel(const Context& ui) {
   w.view.time.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::GetWindowDrawList()->AddLine({v.origin.x, edge}, {v.origin.x + v.size.x, edge}, ui.colors.line);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  ImGui::BeginDisabled(!w.document.model.surface);
+  ImGui::BeginDisabled(!w.document.model().surface);
   transport(ui, low.x + room.x);
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float bottom = low.y + room.y - bar_height - 6;

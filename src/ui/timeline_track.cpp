@@ -51,7 +51,7 @@ void ruler(const Track& t, ImDrawList& draw) {
 
 // Darkens frames outside the playback range.
 void outside(const Track& t, ImDrawList& draw) {
-  const document::Timeline& timeline = t.ui.workspace.document.timeline;
+  const document::Timeline& timeline = t.ui.workspace.document.timeline();
   const ImU32 shade = faded(t.ui.colors.halo, 0.55f);
   const float first = std::clamp(t.x_of(timeline.first), t.low.x, t.high.x);
   const float last = std::clamp(t.x_of(timeline.last), t.low.x, t.high.x);
@@ -68,7 +68,7 @@ void key_mark(const Track& t, ImDrawList& draw, const document::PoseKey& key, bo
   const ImU32 color = is_selected(t.ui.workspace, key.frame) ? t.ui.colors.highlight : t.ui.colors.accent;
   if (next) {
     // The line to the next key is thin for the easing `hold`.
-    const auto& keys = t.ui.workspace.document.timeline.keys;
+    const auto& keys = t.ui.workspace.document.timeline().keys;
     const auto after = std::ranges::upper_bound(keys, key.frame, {}, &document::PoseKey::frame);
     const ImU32 way = faded(t.ui.colors.accent, key.easing == document::Easing::hold ? 0.15f : 0.5f);
     draw.AddLine({x, y}, {t.x_of(after->frame), y}, way, key.easing == document::Easing::hold ? 1.0f : 2.0f);
@@ -78,7 +78,7 @@ void key_mark(const Track& t, ImDrawList& draw, const document::PoseKey& key, bo
 }
 
 void keys(const Track& t, ImDrawList& draw) {
-  const document::Timeline& timeline = t.ui.workspace.document.timeline;
+  const document::Timeline& timeline = t.ui.workspace.document.timeline();
   for (const auto& key : timeline.keys) key_mark(t, draw, key, &key != &timeline.keys.back());
   for (const auto& key : timeline.cameras) {
     const float x = t.x_of(key.frame), y = t.camera_y(), r = key_radius - 1;
@@ -88,7 +88,7 @@ void keys(const Track& t, ImDrawList& draw) {
 }
 
 void playhead(const Track& t, ImDrawList& draw) {
-  const float x = t.x_of(t.ui.workspace.document.frame);
+  const float x = t.x_of(t.ui.workspace.document.frame());
   if (x < t.low.x - 1 || x > t.high.x + 1) return;
   const ImU32 color = t.ui.colors.highlight;
   draw.AddLine({x, t.low.y + ruler_height - 5}, {x, t.high.y}, color, 1.5f);
@@ -112,7 +112,7 @@ std::optional<int> key_near(const Track& t, ImVec2 mouse) {
     const float distance = std::abs(t.x_of(frame) - mouse.x);
     if (distance < nearest) nearest = distance, found = frame;
   };
-  const document::Timeline& timeline = t.ui.workspace.document.timeline;
+  const document::Timeline& timeline = t.ui.workspace.document.timeline();
   if (upper) {
     for (const auto& key : timeline.keys) look(key.frame);
   } else {
@@ -183,7 +183,7 @@ void take_mouse(const Track& t) {
 
 void way_in(const Track& t, ImDrawList& draw) {
   const workspace::Workspace& w = t.ui.workspace;
-  if (!w.document.timeline.empty()) return;
+  if (!w.document.timeline().empty()) return;
   const char* text =
       w.document.is_movable()
           ? "Pose the model and press I to set a key. Go to another frame, pose and press I again."
@@ -199,7 +199,7 @@ void way_in(const Track& t, ImDrawList& draw) {
 
 void timeline_track(const Context& ui, ImVec2 low, ImVec2 high) {
   workspace::TimeView& view = ui.workspace.view.time;
-  if (!view.fitted) view.seen = workspace::fitting(ui.workspace.document.timeline);
+  if (!view.fitted) view.seen = workspace::fitting(ui.workspace.document.timeline());
   view.fitted = true;
   const Track track{ui, low, high};
   take_mouse(track);

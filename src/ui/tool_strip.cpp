@@ -182,7 +182,7 @@ void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at)
 
 void tool_strip(const Context& ui) {
   const document::Viewport& v = ui.workspace.view.viewport;
-  if (!ui.workspace.document.model.surface) return;
+  if (!ui.workspace.document.model().surface) return;
   const std::size_t count = fitting_tools(v.size.y);
   const bool all = count == std::size(strip);
   const float height = top_of(count - (all ? 1 : 0)) + tool_size;

@@ -55,7 +55,7 @@ namespace {
 // Draws the brush as a circle on the screen, around the brushed point of the model.
 void brush_ring(const Context& ui, const workspace::Workspace& w) {
   const auto center =
-      interact::Projector(w.document.space, w.view.camera, w.view.viewport)(*w.view.interaction.brush);
+      interact::Projector(w.document.space(), w.view.camera, w.view.viewport)(*w.view.interaction.brush);
   if (!center) return;
   OverlayPainter painter(ui);
   painter.circle(glm::vec2(*center), w.view.brush.radius, ui.colors.text, 1.25f, 0.9f);
@@ -89,7 +89,7 @@ void hints(const Context& ui) {
   const std::string space = workspace::text(w.preferences.keymap.of(*workspace::find_command("play")).first);
   const std::string help = key_or_label(w.preferences.keymap, "help");
   const std::string plays =
-      w.document.timeline.keys.empty() || space.empty() ? "" : "     " + space + " plays it";
+      w.document.timeline().keys.empty() || space.empty() ? "" : "     " + space + " plays it";
   for (const char* method : {"     Switch the method in the right column", ""}) {
     const std::string text =
         "Drag a vertex of the cage" + plays + method + "     " + help + " shows every key";
@@ -114,7 +114,7 @@ void view_overlay(const Context& ui) {
   if (!options.panels && w.panels.has_user) restore_hint(ui);
   if (w.view.interaction.brush) brush_ring(ui, w);
   if (w.jobs.working()) return;  // the progress bar needs this place
-  if (w.document.kept_pose && options.panels) return editing_hint(ui);
+  if (w.document.kept_pose() && options.panels) return editing_hint(ui);
   const bool room =  // false if the legend, the brush or the next step needs the place
       workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) && !offers_next_step(w);
   if (options.hints && room && w.document.has_cage() && options.panels && !w.view.interaction.drag) hints(ui);
@@ -124,10 +124,10 @@ void torn_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (!w.view.options.cage || !w.document.has_cage()) return;
   constexpr std::size_t most = 200;
-  const auto& positions = w.document.pose.positions;
-  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
+  const auto& positions = w.document.pose().positions;
+  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
   OverlayPainter paint(ui);
-  for (const auto& [a, b] : document::torn_edges(w.frame.report, *w.document.cage, most)) {
+  for (const auto& [a, b] : document::torn_edges(w.frame.report, *w.document.cage(), most)) {
     const auto from = project(positions[a]), to = project(positions[b]);
     if (from && to) paint.line(glm::vec2(*from), glm::vec2(*to), ui.colors.bad, 2.5f);
   }

@@ -18,7 +18,7 @@ namespace viete::workspace {
 namespace {
 
 void report(Workspace& w, const files::Opened& opened) {
-  const bool same_model = opened.document && opened.document->model.surface == w.document.model.surface;
+  const bool same_model = opened.document && opened.document->model().surface == w.document.model().surface;
   const Concern concern{.scope = same_model || !opened.document ? Scope::cage : Scope::model};
   w.messages.succeeded("open");
   if (!opened.taken_as.empty()) w.messages.info(opened.taken_as, concern);
@@ -30,7 +30,7 @@ void report_losses(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.files.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " still contains them" : "";
   const Concern concern{.scope = Scope::cage};
-  if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
+  if (const std::string sets = lost_sets(w.document.groups(), {}); !sets.empty())
     w.messages.warn("Selection sets of the previous cage were removed: " + sets + where, concern);
   if (!poses.empty()) w.messages.warn("Poses of the previous cage were removed: " + poses + where, concern);
 }
@@ -38,8 +38,8 @@ void report_losses(Workspace& w, const std::string& poses, bool in_file) {
 void take_document(Workspace& w, document::Document&& document, bool keep_settings) {
   const document::Document& old = w.document;
   if (keep_settings) {
-    document.method = old.method;
-    document.scheme = old.scheme;
+    document.put_method(old.method());
+    document.put_scheme(old.scheme());
   }
   document.mark_replacing(old);
   w.document = std::move(document);
@@ -95,7 +95,7 @@ bool take_poses(Workspace& w, files::Opened& opened) {
     return add([&] { add_shapes(w.document, std::move(opened.shapes)); },
                base::counted(opened.shapes.size(), "shape") + " to the poses.");
   if (opened.keys.empty()) return false;
-  const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
+  const std::size_t count = opened.keys.size(), before = w.document.timeline().keys.size();
   files::put_keys(w.document, std::move(opened.keys), "Import animation");
   show_timeline(w);
   w.messages.info("Imported " + base::counted(count, "key") + " from " + name +
@@ -111,7 +111,7 @@ void take_pose(Workspace& w, deform::Pose&& pose) {
 
 // If the model or cage is flat, looks along the flat axis without perspective. Otherwise uses the home view.
 void frame_first(Workspace& w) {
-  const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
+  const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file().bounds : w.document.model().bounds;
   const bool z_up = w.view.camera.pose().up == document::UpAxis::z;
   const document::StandardView along[] = {document::StandardView::right,
                                           z_up ? document::StandardView::front : document::StandardView::top,
@@ -127,10 +127,10 @@ void frame_first(Workspace& w) {
 }  // namespace
 
 void apply_opened(Workspace& w, files::Opened&& opened) {
-  if (opened.pose_of && opened.pose_of != w.document.cage)
+  if (opened.pose_of && opened.pose_of != w.document.cage())
     return w.messages.error(
         opened.file.string() + ": the cage changed while this pose was being read; open it again", {"open"});
-  if (!opened.document && opened.shapes_of && opened.shapes_of != w.document.model.surface)
+  if (!opened.document && opened.shapes_of && opened.shapes_of != w.document.model().surface)
     return w.messages.error(
         opened.file.string() + ": the model changed while this shape was being read; open it again",
         {"open"});
@@ -139,10 +139,11 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
     w.playback.vectors.follow_model(opened.shapes_of);
     w.playback.vectors.take(std::move(opened.vectors));
   }
-  w.document.also_read.insert(w.document.also_read.end(), opened.also_read.begin(), opened.also_read.end());
+  w.document.changed_also_read().insert(w.document.also_read().end(), opened.also_read.begin(),
+                                        opened.also_read.end());
   if (take_poses(w, opened)) return;
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
-  const bool same_model = opened.document->model.surface == w.document.model.surface;
+  const bool same_model = opened.document->model().surface == w.document.model().surface;
   if (same_model && !opened.session) report_losses(w, opened.lost, !has_unsaved_edits(w));
   take_document(w, std::move(*opened.document), !opened.has_settings);
   auto& saved = w.files.saved;
@@ -167,7 +168,7 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
     mark_saved(w);
     if (opened.session) saved.state.scheme = opened.session->scheme;  // settings of the request are unsaved
     if (!opened.session) saved.state.mask = nullptr, saved.state.probes = {};  // no file contains them
-    w.preferences.add(saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
+    w.preferences.add(saved.session.empty() ? RecentFile{w.document.model().path, w.document.cage_file().path}
                                             : RecentFile{saved.session, {}});
   }
   add_unkeyed_to_undo(w, opened.recovered);
@@ -175,7 +176,7 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
   if (is_example && w.panels.has_user) start_playing(w);
   if (opened.session && opened.session->camera) return w.view.camera.set_pose(*opened.session->camera);
   if (same_model) return;
-  w.view.camera.set_up(guessed_up(w.document.model));
+  w.view.camera.set_up(guessed_up(w.document.model()));
   frame_first(w);
   frame_all(w, false);
 }

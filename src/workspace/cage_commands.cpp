@@ -19,7 +19,7 @@ void make_symmetric_cage(Workspace& w) {
   constexpr document::CageSymmetry symmetries[] = {
       document::CageSymmetry::automatic, document::CageSymmetry::x, document::CageSymmetry::y,
       document::CageSymmetry::z, document::CageSymmetry::automatic};
-  w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage};
+  w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage()};
   w.making.wish.symmetry = symmetries[static_cast<std::size_t>(w.view.handling.mirror)];
 }
 
@@ -41,7 +41,7 @@ void enclose_and_say(Workspace& w) {
 // Runs an edit of the cage. If the result would be an invalid cage, shows an error and changes nothing.
 template <auto Change>
 void change_cage(Workspace& w) {
-  const document::CageGroups groups = w.document.groups;
+  const document::CageGroups groups = w.document.groups();
   try {
     if constexpr (std::is_invocable_v<decltype(Change), document::Document&>) {
       Change(w.document);
@@ -52,7 +52,7 @@ void change_cage(Workspace& w) {
   } catch (const base::Error& error) {
     w.messages.error(error.what(), {"change the cage", Scope::cage});
   }
-  if (const std::string lost = lost_sets(groups, w.document.groups); !lost.empty())
+  if (const std::string lost = lost_sets(groups, w.document.groups()); !lost.empty())
     w.messages.warn("These selection sets are now empty: " + lost + "; undo restores them",
                     {.scope = Scope::cage});
   w.view.interaction.hovered.reset();
@@ -63,7 +63,7 @@ void add_table(CommandTable& table, std::span<const Entry> entries, std::string_
   for (const Entry& entry : entries)
     table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, no_drag_runs,
                  [value = entry.value](Workspace& w) {
-                   set_scheme(w.document, deform::chosen(value, w.document.scheme));
+                   set_scheme(w.document, deform::chosen(value, w.document.scheme()));
                  });
 }
 
@@ -81,7 +81,7 @@ void add_cage_commands(CommandTable& table) {
   table.heading("Cage");
   table.add(
       "make_cage", "Make cage", "Make a cage around the model. Sliders set its size and fit.", can_make_cage,
-      [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage}; });
+      [](Workspace& w) { w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage()}; });
   table.add("make_symmetric_cage", "Make symmetric cage",
             "Make a cage with mirror symmetry. Cancel restores the previous cage.", lacks_pairs,
             make_symmetric_cage);
@@ -99,7 +99,7 @@ void add_cage_commands(CommandTable& table) {
   table.add("edit_cage", "Edit cage",
             "Edit the vertices and faces of the cage at rest. The pose follows the edits.", {Key::tab},
             can_edit_cage, {change_cage<switch_cage_editing>, [](const Workspace& w) {
-                              return w.document.kept_pose.has_value();
+                              return w.document.kept_pose().has_value();
                             }});
   table.add("split_edges", {"Split edges", "Split"}, "Insert a vertex at the middle of each selected edge.",
             has_cage_selected, change_cage<document::split_selected>);
@@ -143,8 +143,8 @@ void add_blend_commands(CommandTable& table) {
       "Solve for the whole mesh so that its triangles deform as rigidly as possible. Preserves details, "
       "but frames take longer.",
       without_drag<has_maps>,
-      {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
-       [](const Workspace& w) { return w.document.scheme.stitched(); }});
+      {[](Workspace& w) { set_iterations(w.document, w.document.scheme().stitched() ? 0 : 1); },
+       [](const Workspace& w) { return w.document.scheme().stitched(); }});
   table.heading("Method");
   table.add("show_report", {"Make report", "Make report"},
             "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "

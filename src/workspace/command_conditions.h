@@ -16,7 +16,7 @@ inline bool is_dragging(const Workspace& w) {
          (time && time->what == TimeView::What::keys);
 }
 inline bool selects_probes(const Workspace& w) {
-  return w.document.selection.kind() == document::ElementKind::probe;
+  return w.document.selection().kind() == document::ElementKind::probe;
 }
 inline constexpr Condition no_drag_runs{[](const Workspace& w) { return !is_dragging(w); },
                                         "Finish the current drag first."};
@@ -25,41 +25,43 @@ inline constexpr Condition without_drag{[](const Workspace& w) { return C(w) && 
                                         C.otherwise};
 
 inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
-inline constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme.exponential(); },
+inline constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme().exponential(); },
                                        "This blend uses no exponential; choose \"Log space\" first."};
 inline constexpr Condition has_maps{
-    [](const Workspace& w) { return w.document.scheme.has_maps(); },
+    [](const Workspace& w) { return w.document.scheme().has_maps(); },
     "Not available for this deformer: it uses the vertices of the cage, not its faces."};
-inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
+inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model().surface != nullptr; },
                                      "Open a model first."};
 inline constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); },
                                     "Open a cage first."};
 inline constexpr Condition is_movable{[](const Workspace& w) { return w.document.is_movable(); },
                                       "Open a cage, add a probe or import shapes first."};
 inline constexpr Condition has_elements{
-    [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
+    [](const Workspace& w) { return element_count(w.document, w.document.selection().kind()) > 0; },
     "Nothing to select: open a cage or add a probe first."};
 inline constexpr Condition has_probe_room{
     [](const Workspace& w) {
-      return has_model(w) && w.document.probes.all.size() < document::most_probes && !is_dragging(w);
+      return has_model(w) && w.document.probes().all.size() < document::most_probes && !is_dragging(w);
     },
     "Open a model first. At most 256 probes are possible."};
-inline constexpr Condition has_probes_selected{
-    [](const Workspace& w) { return selects_probes(w) && !w.document.selection.empty() && !is_dragging(w); },
-    "Select a probe first."};
+inline constexpr Condition has_probes_selected{[](const Workspace& w) {
+                                                 return selects_probes(w) &&
+                                                        !w.document.selection().empty() && !is_dragging(w);
+                                               },
+                                               "Select a probe first."};
 inline constexpr Condition has_pins_selected{
     [](const Workspace& w) {
-      return has_probes_selected(w) && std::ranges::any_of(w.document.selection.indices(), [&](auto i) {
-               return w.document.probes.all[i].pin.has_value();
+      return has_probes_selected(w) && std::ranges::any_of(w.document.selection().indices(), [&](auto i) {
+               return w.document.probes().all[i].pin.has_value();
              });
     },
     "Select a pin first."};
 inline constexpr Condition has_free_probes_selected{
     [](const Workspace& w) { return has_free_probes(w.document) && !is_dragging(w); },
     "Select an unlocked probe first."};
-inline constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
+inline constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask() != nullptr; },
                                     "Nothing is painted: the whole model follows the cage."};
-inline constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
+inline constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection().empty(); },
                                          "Nothing is selected."};
 inline constexpr Condition has_selection_or_hover{[](const Workspace& w) {
                                                     return has_cage(w) && !selects_probes(w) &&
@@ -72,7 +74,7 @@ inline constexpr Condition selects_of_cage{
 inline constexpr Condition has_selection_of_cage{
     [](const Workspace& w) { return selects_of_cage(w) && has_selection(w); },
     "Select part of the cage first."};
-inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.document.groups.hidden.empty(); },
+inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.document.groups().hidden.empty(); },
                                       "No part of the cage is hidden."};
 inline constexpr Condition can_draw_selection{
     [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !is_dragging(w); },
@@ -110,7 +112,7 @@ inline constexpr Condition is_wishing{
     [](const Workspace& w) { return w.making.open && !w.making.closing; },
     "Choose \"Make cage\" first. If the cage is confirmed already, wait until it is computed."};
 inline constexpr Condition has_cage_beside{
-    [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.jobs.loading.running; },
+    [](const Workspace& w) { return !w.document.cage_beside().empty() && !w.jobs.loading.running; },
     "The model's folder contains no cage for the model."};
 inline constexpr Condition is_exporting{[](const Workspace& w) { return w.jobs.exporting.running; },
                                         "Nothing is being exported."};
@@ -125,10 +127,10 @@ inline constexpr Condition offers_recovery{
     [](const Workspace& w) { return has_recovery_files(w) && w.recovery.offered; },
     "No recovered edits are shown."};
 inline constexpr Condition can_undo{
-    [](const Workspace& w) { return w.document.history.can_undo() && !is_dragging(w); },
+    [](const Workspace& w) { return w.document.history().can_undo() && !is_dragging(w); },
     "There is no edit to undo."};
 inline constexpr Condition can_redo{
-    [](const Workspace& w) { return w.document.history.can_redo() && !is_dragging(w); },
+    [](const Workspace& w) { return w.document.history().can_redo() && !is_dragging(w); },
     "There is no edit to redo."};
 inline constexpr Condition is_posed{
     [](const Workspace& w) { return !is_dragging(w) && differs_from_rest(w.document); },

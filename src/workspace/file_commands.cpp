@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 // The file of the cage, or of the model if the cage has no file.
 const fs::path& file_of_cage(const document::Document& document) {
-  const bool in_file = document.has_cage() && !document.cage_file.path.empty();
-  return in_file ? document.cage_file.path : document.model.path;
+  const bool in_file = document.has_cage() && !document.cage_file().path.empty();
+  return in_file ? document.cage_file().path : document.model().path;
 }
 
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
@@ -50,12 +50,12 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
 }
 
 void save_animation(Workspace& w) {
-  browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
+  browse_to_save(w, Purpose::save_animation, w.document.model().path, "_animation.pc2");
   const glm::ivec2 size = glm::clamp(glm::ivec2(w.view.viewport.window), least_picture, largest_picture);
   w.files.browser.pictures = PictureChoice{
       .grid = w.view.options.grid, .light = !w.view.options.dark, .width = size.x, .height = size.y};
-  w.files.browser.first_frame = w.document.timeline.first;
-  w.files.browser.last_frame = w.document.timeline.last;
+  w.files.browser.first_frame = w.document.timeline().first;
+  w.files.browser.last_frame = w.document.timeline().last;
 }
 
 constexpr Condition has_example{[](const Workspace& w) { return !w.files.example.empty(); },
@@ -68,7 +68,7 @@ constexpr Condition can_import_shapes{
     [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a model first. Leave cage editing."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
-                                           return is_movable(w) && !w.document.timeline.keys.empty() &&
+                                           return is_movable(w) && !w.document.timeline().keys.empty() &&
                                                   !is_editing_cage(w.document);
                                          },
                                          "No keys yet: pose the model and set a key (I)."};
@@ -82,7 +82,7 @@ void save(Workspace& w) {
 
 void browse_to_save_session(Workspace& w) {
   browse_to_save(w, Purpose::save_session,
-                 w.files.saved.session.empty() ? w.document.model.path : w.files.saved.session, ".viete");
+                 w.files.saved.session.empty() ? w.document.model().path : w.files.saved.session, ".viete");
 }
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
@@ -97,11 +97,11 @@ void add_file_commands(CommandTable& table) {
   table.add("open_model", {"Open model or session", "Open"}, "Open a mesh to deform or a saved session.",
             {key('O'), true}, always, browse_for_model);
   table.add("open_cage", "Open cage", "Open a cage for the model.", {key('O'), true, true}, has_model,
-            [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
+            [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model().path); });
   table.add("open_cage_beside", {"Open cage next to the model", "Open this cage"},
             "Open the file in the model's folder that seems to be its cage.", has_cage_beside,
             passing([](Workspace& w) {
-              w.jobs.wishes.open({files::OpenRequest::What::cage, {w.document.cage_beside}});
+              w.jobs.wishes.open({files::OpenRequest::What::cage, {w.document.cage_beside()}});
             }));
   table.add("open_pose", "Open pose", "Open a posed version of the cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
@@ -118,11 +118,12 @@ void add_file_commands(CommandTable& table) {
   table.add(
       "save_pose", "Save pose", "Write the posed cage to a mesh file.", {key('P'), true, true}, has_cage,
       [](Workspace& w) { browse_to_save(w, Purpose::save_pose, file_of_cage(w.document), "_pose.obj"); });
-  table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage,
-            [](Workspace& w) { browse_to_save(w, Purpose::save_cage, w.document.model.path, "_cage.obj"); });
+  table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage, [](Workspace& w) {
+    browse_to_save(w, Purpose::save_cage, w.document.model().path, "_cage.obj");
+  });
   table.add("save_model", {"Export deformed mesh", "Export mesh"}, "Write the deformed mesh to a file.",
             {key('E'), true}, is_movable, [](Workspace& w) {
-              browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
+              browse_to_save(w, Purpose::save_model, w.document.model().path, "_deformed.obj");
             });
   table.add("stop_work", {"Cancel current task", "Cancel"},
             "Cancel the current task: opening a file, making a cage or binding. The document stays as it is.",
@@ -158,7 +159,7 @@ void add_animation_file_commands(CommandTable& table) {
             "Add shapes of the model to the pose list, from mesh files, numbered sequences, point caches "
             "(PC2, MDD), morph targets (glTF) or a folder.",
             can_import_shapes,
-            [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model.path); });
+            [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model().path); });
   table.heading("Time");
   table.add("import_animation", "Import animation",
             "Import keys from numbered files of the posed cage, a point cache (PC2, MDD) of cage or model, "

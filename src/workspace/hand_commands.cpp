@@ -26,7 +26,7 @@ Value& place(document::Handling& h) {
 // Sets the mirror plane. If the cage has no plane of symmetry, shows a message and changes nothing.
 void choose(Workspace& w, document::MirrorPlane plane) {
   document::MirrorCache wanted;
-  wanted.follow(w.document.cage, plane);
+  wanted.follow(w.document.cage(), plane);
   if (plane != document::MirrorPlane::none && w.document.has_cage() && !wanted.mirror)
     return w.messages.info("The cage has no plane of symmetry; choose X, Y or Z.");
   w.view.handling.mirror = plane;
@@ -55,8 +55,8 @@ void grab(Workspace& w) {
 
 void copy_pose(Workspace& w) {
   auto& copied = w.panels.copied;
-  copied = {w.document.cage, moving_vertices(w.document), {}};
-  for (const auto v : copied.vertices) copied.positions.push_back(w.document.pose.positions[v]);
+  copied = {w.document.cage(), moving_vertices(w.document), {}};
+  for (const auto v : copied.vertices) copied.positions.push_back(w.document.pose().positions[v]);
   w.messages.info("Copied the pose of " + counted(document::ElementKind::vertex, copied.vertices.size()) +
                   ".");
 }
@@ -94,14 +94,14 @@ void add_in_view(Workspace& w) {
   auto at = w.view.interaction.cursor ? model_under(w, *w.view.interaction.cursor) : std::nullopt;
   if (!at) at = model_under(w, w.view.viewport.middle());
   const glm::dvec3 target(w.view.camera.pose().target);
-  Add(w.document, w.frame.posed, at.value_or(w.document.space.to_file(target)));
+  Add(w.document, w.frame.posed, at.value_or(w.document.space().to_file(target)));
   w.view.interaction.hovered.reset();
   w.view.options.cage = true;  // this option also displays probes
 }
 
 bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
-  return std::ranges::all_of(w.document.selection.indices(),
-                             [&](auto i) { return holds(w.document.probes.all[i]); });
+  return std::ranges::all_of(w.document.selection().indices(),
+                             [&](auto i) { return holds(w.document.probes().all[i]); });
 }
 
 bool all_pull(const Workspace& w) {

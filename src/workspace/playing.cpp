@@ -19,24 +19,24 @@ constexpr const char* leave_label = "go to frame";
 // True if the document has this pose. Ignores pins and locked probes.
 bool is_there(const Workspace& w, const document::WholePose& pose) {
   if (w.document.has_cage() && !document::same_pose(pose.cage, real_pose(w.document))) return false;
-  if (!document::same_shape(pose.shape, w.document.shape)) return false;
-  const auto& probes = w.document.probes.all;
+  if (!document::same_shape(pose.shape, w.document.shape())) return false;
+  const auto& probes = w.document.probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
     if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == pose.probe(i))) return false;
   return true;
 }
 
 bool is_current(const Workspace& w) {
-  return w.playback.cage == w.document.cage && w.playback.model == w.document.model.surface &&
-         w.playback.timeline == w.document.timeline;
+  return w.playback.cage == w.document.cage() && w.playback.model == w.document.model().surface &&
+         w.playback.timeline == w.document.timeline();
 }
 
 // The pose of the keys at the document's frame, cached because blending shapes is slow.
 const document::WholePose& keyed_pose(const Workspace& w) {
   TimedPose& known = w.playback.by_time;
-  if (known.animation != w.playback.animation || known.frame != w.document.frame)
-    known = {w.playback.animation, w.document.frame,
-             std::make_shared<const document::WholePose>(w.playback.animation->at(w.document.frame))};
+  if (known.animation != w.playback.animation || known.frame != w.document.frame())
+    known = {w.playback.animation, w.document.frame(),
+             std::make_shared<const document::WholePose>(w.playback.animation->at(w.document.frame()))};
   return *known.pose;
 }
 
@@ -46,8 +46,8 @@ bool is_shown(const Workspace& w) {
 
 // Goes to a frame without storing an unkeyed pose.
 void show_frame(Workspace& w, double frame) {
-  w.document.frame = frame;
-  if (const auto camera = camera_at(w.document.timeline, frame)) w.view.camera.set_pose(*camera);
+  w.document.put_frame(frame);
+  if (const auto camera = camera_at(w.document.timeline(), frame)) w.view.camera.set_pose(*camera);
   const auto animation = animation_of(w);
   if (!animation) return;
   end_mix(w.document);
@@ -56,8 +56,8 @@ void show_frame(Workspace& w, double frame) {
 }
 
 void see(Workspace& w) {
-  w.playback.seen_revision = w.document.history.revision();
-  w.playback.seen_timeline = w.document.timeline;
+  w.playback.seen_revision = w.document.history().revision();
+  w.playback.seen_timeline = w.document.timeline();
 }
 
 bool leaves_unkeyed(Workspace& w) {
@@ -77,14 +77,14 @@ void leave_for(Workspace& w, double frame) {
 // True if there are edits that follow_edits() has not seen. Waits for the end of a drag, except of keys.
 bool has_unseen_edits(const Workspace& w) {
   const bool moves_keys = w.view.time.drag.has_value();  // show dragged keys immediately
-  return w.document.history.revision() != w.playback.seen_revision && (!is_dragging(w) || moves_keys);
+  return w.document.history().revision() != w.playback.seen_revision && (!is_dragging(w) || moves_keys);
 }
 
 // Handles edits since the last call: sets an automatic key, or shows the frame of an edited timeline.
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   if (!has_unseen_edits(w)) return;
-  const bool retimed = p.seen_timeline != w.document.timeline;
+  const bool retimed = p.seen_timeline != w.document.timeline();
   see(w);
   if (!animation_of(w)) {
     p.shown = nullptr;
@@ -102,16 +102,16 @@ void follow_edits(Workspace& w) {
   if (is_there(w, keyed_pose(w))) {
     p.shown = shared_pose(w.document);
   } else if (retimed && is_shown(w)) {
-    show_frame(w, w.document.frame);
+    show_frame(w, w.document.frame());
   } else {
     p.playing = false;
   }
 }
 
 void play(Workspace& w, double seconds) {
-  const auto frame = played(w.document.timeline, w.document.frame, seconds, w.playback.backward);
+  const auto frame = played(w.document.timeline(), w.document.frame(), seconds, w.playback.backward);
   if (frame) return show_frame(w, *frame);
-  show_frame(w, w.playback.backward ? w.document.timeline.first : w.document.timeline.last);
+  show_frame(w, w.playback.backward ? w.document.timeline().first : w.document.timeline().last);
   stop_playing(w);
 }
 
@@ -128,18 +128,18 @@ std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
   const document::Document& document = w.document;
   if (is_editing_cage(document)) return nullptr;
   if (is_current(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
-  p.vectors.follow(document.cage);
-  p.vectors.follow_model(document.model.surface);
-  p.cage = document.cage;
-  p.model = document.model.surface;
-  p.timeline = document.timeline;
+  p.vectors.follow(document.cage());
+  p.vectors.follow_model(document.model().surface);
+  p.cage = document.cage();
+  p.model = document.model().surface;
+  p.timeline = document.timeline();
   p.animation =
       p.timeline.keys.empty() ? nullptr : std::make_shared<const document::Animation>(p.timeline, p.vectors);
   return p.animation;
 }
 
 bool has_unkeyed_pose(const Workspace& w) {
-  if (w.document.timeline.keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
+  if (w.document.timeline().keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
   const bool known = w.playback.animation && is_current(w);
   return !known || !is_there(w, keyed_pose(w));
 }
@@ -150,12 +150,12 @@ void go_to_frame(Workspace& w, double frame) {
 }
 
 std::vector<double> shown_weights(const Workspace& w) {
-  const auto& poses = w.document.library.poses;
-  const document::Timeline& timeline = w.document.timeline;
+  const auto& poses = w.document.library().poses;
+  const document::Timeline& timeline = w.document.timeline();
   std::vector<double> weights(poses.size());
   std::ranges::transform(poses, weights.begin(), &document::NamedPose::weight);
-  if (w.document.library.mixes() || timeline.keys.empty() || has_unkeyed_pose(w)) return weights;
-  for (const document::KeyShare& share : moment_at(timeline, w.document.frame).shares)
+  if (w.document.library().mixes() || timeline.keys.empty() || has_unkeyed_pose(w)) return weights;
+  for (const document::KeyShare& share : moment_at(timeline, w.document.frame()).shares)
     for (std::size_t i = 0; i < poses.size(); ++i)
       weights[i] += share.factor * weight_in(timeline.keys[share.key], poses[i]);
   return weights;
@@ -166,9 +166,9 @@ void replace_pose(Workspace& w, const std::function<void()>& edit) {
   document::PoseKey left{current_frame(w.document), unkeyed ? shared_pose(w.document) : nullptr};
   edit();
   const auto has_it = [&](const auto& kept) { return *kept.pose == *left.pose; };
-  document::Timeline& t = w.document.timeline;
+  document::Timeline& t = w.document.changed_timeline();
   if (unkeyed && std::ranges::none_of(t.keys, has_it) &&
-      std::ranges::none_of(w.document.library.poses, has_it))
+      std::ranges::none_of(w.document.library().poses, has_it))
     t.unkeyed.push_back(std::move(left));
 }
 
@@ -184,9 +184,9 @@ void change_mix(Workspace& w, const std::function<bool()>& change) {
 }
 
 void go_to_key(Workspace& w, bool forward) {
-  const std::vector<int> frames = key_frames(w.document.timeline);
+  const std::vector<int> frames = key_frames(w.document.timeline());
   if (frames.empty()) return;
-  const double now = w.document.frame;
+  const double now = w.document.frame();
   if (forward) {
     const auto next = std::ranges::upper_bound(frames, now);
     return go_to_frame(w, next == frames.end() ? frames.front() : *next);
@@ -197,17 +197,17 @@ void go_to_key(Workspace& w, bool forward) {
 
 void add_unkeyed_to_undo(Workspace& w, bool show) {
   document::Document& document = w.document;
-  const std::size_t count = document.timeline.unkeyed.size();
+  const std::size_t count = document.timeline().unkeyed.size();
   if (count == 0) return;
   const bool shows_keys = animation_of(w) && !has_unkeyed_pose(w);
-  document::Document then = document;
+  document::Document then = document.without_history();
   end_mix(then);
-  then.timeline.unkeyed.clear();
-  for (const document::PoseKey& left : document.timeline.unkeyed) {
+  then.changed_timeline().unkeyed.clear();
+  for (const document::PoseKey& left : document.timeline().unkeyed) {
     put_whole_pose(then, *left.pose);
-    then.frame = left.frame;
-    document.history.record(leave_label, state_of(then));
-    then.timeline.unkeyed.push_back(left);
+    then.put_frame(left.frame);
+    document.changed_history().record(leave_label, then.state());
+    then.changed_timeline().unkeyed.push_back(left);
   }
   const bool shown = show && shows_keys;
   if (shown) undo(document);
@@ -218,24 +218,24 @@ void add_unkeyed_to_undo(Workspace& w, bool show) {
 
 void show_timeline(Workspace& w) {
   w.preferences.layout.timeline = true;
-  w.view.time.seen = fitting(w.document.timeline);
+  w.view.time.seen = fitting(w.document.timeline());
 }
 
 void start_playing(Workspace& w) {
   Playback& p = w.playback;
-  const document::Timeline& t = w.document.timeline;
+  const document::Timeline& t = w.document.timeline();
   if (t.empty() || is_editing_cage(w.document) || is_dragging(w)) return;
   p.playing = true;
   p.backward = false;
-  const bool at_end = t.repeat == document::Repeat::once && w.document.frame >= t.last;
-  const bool outside = w.document.frame < t.first || w.document.frame > t.last;
-  go_to_frame(w, at_end || outside ? t.first : w.document.frame);
+  const bool at_end = t.repeat == document::Repeat::once && w.document.frame() >= t.last;
+  const bool outside = w.document.frame() < t.first || w.document.frame() > t.last;
+  go_to_frame(w, at_end || outside ? t.first : w.document.frame());
 }
 
 void stop_playing(Workspace& w) {
   if (!w.playback.playing) return;
   w.playback.playing = false;
-  leave_for(w, std::round(w.document.frame));
+  leave_for(w, std::round(w.document.frame()));
 }
 
 bool time_is_due(const Workspace& w) {
@@ -243,22 +243,22 @@ bool time_is_due(const Workspace& w) {
 }
 
 void follow_time(Workspace& w, double seconds) {
-  if (w.playback.playing && (is_dragging(w) || is_editing_cage(w.document) || w.document.timeline.empty()))
+  if (w.playback.playing && (is_dragging(w) || is_editing_cage(w.document) || w.document.timeline().empty()))
     w.playback.playing = false;
   follow_edits(w);
   if (w.playback.playing) play(w, seconds);
 }
 
 document::SharedPose pose_by_other_blending(Workspace& w) {
-  const bool linear = !w.document.timeline.linear;
+  const bool linear = !w.document.timeline().linear;
   const auto animation = animation_of(w);
   if (animation && is_shown(w))
-    return std::make_shared<const document::WholePose>(animation->at(w.document.frame, linear));
+    return std::make_shared<const document::WholePose>(animation->at(w.document.frame(), linear));
   return mixed_by(w.document, w.playback.vectors, linear);
 }
 
 bool has_blended_pose(const Workspace& w) {
-  return !w.document.timeline.keys.empty() || w.document.library.mixes();
+  return !w.document.timeline().keys.empty() || w.document.library().mixes();
 }
 
 void follow_pins(Workspace& w) {

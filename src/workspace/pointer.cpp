@@ -28,7 +28,7 @@ std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::
 
 // True for a vertex or probe. Edges and faces do not count, because almost every handle is near one.
 bool is_small(const Workspace& w, const std::optional<interact::Pick>& element) {
-  const document::ElementKind kind = w.document.selection.kind();
+  const document::ElementKind kind = w.document.selection().kind();
   return element && (kind == document::ElementKind::vertex || kind == document::ElementKind::probe);
 }
 
@@ -38,7 +38,7 @@ bool over_axes(const Workspace& w, const glm::vec2& cursor) {
 }
 
 glm::dvec3 in_view(const document::Document& document, const glm::dvec3& place) {
-  return glm::dvec3(document.space.to_view({place.x, place.y, place.z}));
+  return glm::dvec3(document.space().to_view({place.x, place.y, place.z}));
 }
 
 interact::Anchor anchor_of(const Workspace& w) {
@@ -50,7 +50,7 @@ mesh::Point beside_target(const Workspace& w, const glm::vec2& cursor) {
   const glm::dvec3 target(camera.pose().target);
   const interact::CursorProjection projection(target, camera, w.view.viewport);
   const auto at = projection.in_plane(-glm::dvec3(camera.forward()), camera.ray(cursor, w.view.viewport));
-  return w.document.space.to_file(at.value_or(target));
+  return w.document.space().to_file(at.value_or(target));
 }
 
 // Positions from `from` (excluded) to `to`, at most `apart` pixels apart, so that fast strokes have no gaps.
@@ -73,10 +73,10 @@ void hide(interact::Sight& sight, const Seen& points, std::span<const mesh::Tria
 // In the result, elements behind the model or behind faces of the cage are hidden.
 interact::Sight sight_of(const Workspace& w) {
   interact::Sight sight(w.view.camera, w.view.viewport);
-  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
+  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
   Seen points;
-  if (w.view.options.model && w.document.model.surface) {
-    const mesh::Surface& model = *w.document.model.surface;
+  if (w.view.options.model && w.document.model().surface) {
+    const mesh::Surface& model = *w.document.model().surface;
     points.reserve(model.positions.size());
     for (std::size_t v = 0; v < model.positions.size(); ++v)
       points.push_back(project(w.frame.posed.at(model, v)));
@@ -84,9 +84,9 @@ interact::Sight sight_of(const Workspace& w) {
   }
   if (w.document.has_cage()) {
     points.clear();
-    for (const auto& p : w.document.pose.positions) points.push_back(project(p));
+    for (const auto& p : w.document.pose().positions) points.push_back(project(p));
     const auto hidden = hidden_elements(w.document, document::ElementKind::face);
-    const mesh::Surface& cage = w.document.cage->surface;
+    const mesh::Surface& cage = w.document.cage()->surface;
     std::vector<mesh::Triangle> triangles;
     for (std::size_t t = 0; t < cage.triangles.size(); ++t)
       if (!hidden[cage.triangle_polygon[t]]) triangles.push_back(cage.triangles[t]);
@@ -105,7 +105,7 @@ mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
   if (w.document.has_cage() && w.view.options.cage) {
     const auto vertex = interact::pick_element(w.document, document::ElementKind::vertex, w.view.camera,
                                                w.view.viewport, cursor);
-    if (vertex) return w.document.pose.positions[vertex->index];
+    if (vertex) return w.document.pose().positions[vertex->index];
   }
   const auto on_model = model_under(w, cursor);
   return on_model ? *on_model : beside_target(w, cursor);
@@ -114,8 +114,8 @@ mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
 const interact::Sight* SightCache::of(const Workspace& w) {
   if (!w.view.options.select_visible) return nullptr;
   const Picture now{
-      w.view.camera.pose(),          w.view.viewport,      w.document.revisions(),  w.frame.posed.frame,
-      w.frame.posed.vertices.data(), w.view.options.model, w.document.groups.hidden};
+      w.view.camera.pose(),          w.view.viewport,      w.document.revisions(),    w.frame.posed.frame,
+      w.frame.posed.vertices.data(), w.view.options.model, w.document.groups().hidden};
   if (picture_ != now) {
     picture_ = now;
     sight_.emplace(sight_of(w));
@@ -134,8 +134,8 @@ void disarm(Workspace& w) {
 }
 
 std::optional<interact::Gizmo> gizmo_of(const Workspace& w) {
-  if (!shows_selectable(w) || w.document.selection.empty()) return std::nullopt;
-  if (w.document.selection.kind() == document::ElementKind::probe && !has_free_probes(w.document))
+  if (!shows_selectable(w) || w.document.selection().empty()) return std::nullopt;
+  if (w.document.selection().kind() == document::ElementKind::probe && !has_free_probes(w.document))
     return std::nullopt;
   auto& interaction = w.view.interaction;
   const interact::Tool tool = interaction.drag ? interaction.drag->tool() : w.view.tool;
@@ -152,12 +152,12 @@ interact::Grip grip_of(const Workspace& w) {
 }
 
 std::optional<interact::AxisWidget> axis_widget_of(const Workspace& w) {
-  const bool shown = w.view.options.axes && w.view.options.panels && w.document.model.surface;
+  const bool shown = w.view.options.axes && w.view.options.panels && w.document.model().surface;
   return shown ? interact::axis_widget(w.view.camera, w.view.viewport) : std::nullopt;
 }
 
 void Pointer::frame(Workspace& w, const PointerInput& input) {
-  w.view.mirror.follow(w.document.cage, w.view.handling.mirror);
+  w.view.mirror.follow(w.document.cage(), w.view.handling.mirror);
   // A change of the document or the cage ends the gesture.
   const document::Revisions& now = w.document.revisions();
   if (surfaces_ != now.surfaces || cage_ != now.cage) {
@@ -246,7 +246,7 @@ Pointer::Gesture Pointer::camera_gesture(const Workspace& w, int button, const P
 
 // Starts a transform without a pressed button. The selection then follows the cursor.
 void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
-  const bool wanted = !input.escape && shows_selectable(w) && !w.document.selection.empty();
+  const bool wanted = !input.escape && shows_selectable(w) && !w.document.selection().empty();
   if (wanted && !input.over_view) return;  // wait until the pointer is in the view
   const auto [tool, shape] = *std::exchange(w.view.interaction.grab, std::nullopt);
   if (!wanted) return;
@@ -255,7 +255,7 @@ void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
   press_ = last_.position = input.position;
   grabbed_.reset();
   handle_.reset();
-  selection_before_ = w.document.selection;
+  selection_before_ = w.document.selection();
   interact::Grip grip = grip_of(w);
   if (shape != interact::Shape::none)
     grip.shaping =
@@ -288,7 +288,7 @@ void Pointer::press_left(Workspace& w, const PointerInput& input) {
   }
   mode_ = mode_of(input);
   shape_.reset();
-  selection_before_ = w.document.selection;
+  selection_before_ = w.document.selection();
   if (gesture_ == Gesture::pressed && w.view.interaction.armed) return press_armed(w, input);
   if (gesture_ == Gesture::pressed && shows_mask(w)) {
     gesture_ = Gesture::painting;
@@ -316,7 +316,7 @@ void Pointer::press_armed(Workspace& w, const PointerInput& input) {
 
 void Pointer::move(Workspace& w, const PointerInput& input) {
   // If a key changed the element kind or removed the pressed element, the index in `grabbed_` is invalid.
-  const document::ElementKind kind = w.document.selection.kind();
+  const document::ElementKind kind = w.document.selection().kind();
   const bool gone = grabbed_ && grabbed_->index >= element_count(w.document, kind);
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
   const glm::vec2 delta = input.position - last_.position;
@@ -353,7 +353,7 @@ void Pointer::move(Workspace& w, const PointerInput& input) {
 // box. A drag from a selected element moves the selection.
 bool Pointer::draws_box(const Workspace& w) const {
   if (handle_) return false;
-  const document::Selection& selection = w.document.selection;
+  const document::Selection& selection = w.document.selection();
   if (!grabbed_ || mode_ != document::SelectMode::replace) return true;
   return (selection.kind() == document::ElementKind::face || crowded_) &&
          !selection.contains(grabbed_->index);
@@ -378,7 +378,7 @@ void Pointer::begin_left_drag(Workspace& w, const PointerInput& input) {
 void Pointer::begin_transform(Workspace& w) {
   document::Document& document = w.document;
   gesture_ = Gesture::moving;
-  selection_before_ = document.selection;
+  selection_before_ = document.selection();
   auto& view = w.view;
   if (handle_) {
     interact::Grip grip = grip_of(w);
@@ -386,8 +386,8 @@ void Pointer::begin_transform(Workspace& w) {
     view.interaction.drag.emplace(document, std::move(grip), view.tool, *handle_, depth, press_, view.camera);
     return;
   }
-  if (!document.selection.contains(grabbed_->index))
-    document.selection.apply(std::array{grabbed_->index}, document::SelectMode::replace);
+  if (!document.selection().contains(grabbed_->index))
+    document.changed_selection().apply(std::array{grabbed_->index}, document::SelectMode::replace);
   view.interaction.hovered = grabbed_->index;
   view.interaction.drag.emplace(document, grip_of(w), interact::Tool::move, interact::Constraint{},
                                 grabbed_->depth, press_, view.camera);
@@ -409,9 +409,9 @@ void Pointer::transform(Workspace& w, const PointerInput& input) {
 // Records the drag and its change of the selection as one edit. If nothing moved, records only the selection.
 void Pointer::commit_drag(Workspace& w) {
   document::Document& document = w.document;
-  const unsigned long edits = document.history.revision();
+  const unsigned long edits = document.history().revision();
   w.view.interaction.drag->commit(document);
-  if (document.history.revision() != edits) return document.history.began_with(selection_before_);
+  if (document.history().revision() != edits) return document.changed_history().began_with(selection_before_);
   record_selection(document, selection_before_);
 }
 
@@ -419,7 +419,7 @@ void Pointer::brush_on(Workspace& w, const PointerInput& input) {
   const float radius = w.view.interaction.select_radius;
   w.view.interaction.cursor = input.position;
   for (const glm::vec2& at : steps_between(last_.position, input.position, 0.5f * radius))
-    w.document.selection.apply(
+    w.document.changed_selection().apply(
         pick_elements_in_circle(w.document, w.view.camera, w.view.viewport, at, radius, sight_.of(w)),
         *w.view.interaction.brushing);
 }
@@ -430,7 +430,7 @@ void Pointer::select_inside(Workspace& w, const PointerInput& input) {
                                                    w.view.interaction.lasso->line, sight_.of(w))
                           : pick_elements_in_box(w.document, w.view.camera, w.view.viewport, press_,
                                                  input.position, sight_.of(w));
-  document::Selection selection = w.document.selection;
+  document::Selection selection = w.document.selection();
   selection.apply(inside, mode_);
   set_selection(w.document, std::move(selection));
 }
@@ -453,8 +453,9 @@ void Pointer::paint(Workspace& w, const PointerInput& input) {
     const auto center = model_under(w, at);
     view.interaction.brush = center;
     if (!center) continue;
-    const float depth = view.camera.depth(w.document.space.to_view(*center));
-    const double radius = brush.radius * view.camera.per_pixel(depth, view.viewport) / w.document.space.scale;
+    const float depth = view.camera.depth(w.document.space().to_view(*center));
+    const double radius =
+        brush.radius * view.camera.per_pixel(depth, view.viewport) / w.document.space().scale;
     view.interaction.stroke->dab(w.document, w.frame.posed, *center, radius, input.ctrl ? 1 : brush.share);
   }
 }
@@ -485,11 +486,11 @@ void Pointer::release(Workspace& w, const PointerInput& input) {
 // A click on a gizmo handle selects the element under the handle. Without an element, the selection stays.
 void Pointer::click(Workspace& w) {
   clicked_ = !again_;
-  if (std::exchange(again_, false) && w.document.model.surface) {
+  if (std::exchange(again_, false) && w.document.model().surface) {
     const mesh::Point place = pivot_place(w, press_);
-    return w.view.camera.center(w.document.space.to_view(place));
+    return w.view.camera.center(w.document.space().to_view(place));
   }
-  document::Selection selection = w.document.selection;
+  document::Selection selection = w.document.selection();
   if (grabbed_) {
     selection.apply(std::array{grabbed_->index}, mode_);
   } else if (!handle_ && mode_ == document::SelectMode::replace) {
@@ -500,8 +501,8 @@ void Pointer::click(Workspace& w) {
 
 void Pointer::ask_for_menu(Workspace& w) {
   const auto hovered = w.view.interaction.hovered;
-  if (hovered && !w.document.selection.contains(*hovered))
-    set_selection(w.document, document::Selection(w.document.selection.kind(), std::array{*hovered}));
+  if (hovered && !w.document.selection().contains(*hovered))
+    set_selection(w.document, document::Selection(w.document.selection().kind(), std::array{*hovered}));
   w.view.interaction.menu = press_;
 }
 
@@ -524,7 +525,8 @@ void Pointer::cancel(Workspace& w) {
   const auto& before = selection_before_.indices();
   const bool all_there =
       before.empty() || before.back() < element_count(w.document, selection_before_.kind());
-  w.document.selection = all_there ? selection_before_ : document::Selection(selection_before_.kind());
+  w.document.changed_selection() =
+      all_there ? selection_before_ : document::Selection(selection_before_.kind());
   finish(w, Gesture::ignored);
 }
 

@@ -111,9 +111,9 @@ std::vector<PictureShape> pose_picture(const mesh::Surface& cage, std::span<cons
 
 const std::vector<PictureShape>& PosePictures::of(const document::Document& document,
                                                   const document::SharedPose& pose, document::UpAxis up) {
-  if (document.cage != cage_ || document.model.surface != model_ || up != up_) pictures_.clear();
-  cage_ = document.cage;
-  model_ = document.model.surface;
+  if (document.cage() != cage_ || document.model().surface != model_ || up != up_) pictures_.clear();
+  cage_ = document.cage();
+  model_ = document.model().surface;
   up_ = up;
   Picture& picture = pictures_[pose.get()];
   if (picture.pose) return picture.shapes;

@@ -39,12 +39,12 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
 
 // True if the pose comes from the keys at this frame. Such a pose need not be saved.
 bool is_timeline_pose(const Workspace& w) {
-  return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
+  return !w.document.timeline().keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
 // True if the probes equal the saved probes. If `by_time`, ignores poses of unlocked probes: keys set them.
 bool same_probes(const Workspace& w, const document::DocumentState& saved, bool by_time) {
-  deform::Probes now = w.document.probes;
+  deform::Probes now = w.document.probes();
   for (std::size_t i = 0; by_time && i < std::min(now.all.size(), saved.probes.all.size()); ++i)
     if (!now.all[i].locked) now.all[i].pose = saved.probes.all[i].pose;
   return now == saved.probes;
@@ -52,7 +52,7 @@ bool same_probes(const Workspace& w, const document::DocumentState& saved, bool 
 
 // True if the named poses equal the saved ones. If `by_time`, ignores weights: another frame clears them.
 bool same_library(const Workspace& w, const document::PoseLibrary& saved, bool by_time) {
-  document::PoseLibrary now = w.document.library;
+  document::PoseLibrary now = w.document.library();
   for (std::size_t i = 0; by_time && i < std::min(now.poses.size(), saved.poses.size()); ++i)
     now.poses[i].weight = saved.poses[i].weight;
   return now == saved;
@@ -60,7 +60,7 @@ bool same_library(const Workspace& w, const document::PoseLibrary& saved, bool b
 
 // True if the timeline is saved. An unkeyed pose can be saved in Timeline::unkeyed or as the document's pose.
 bool same_timeline(const Workspace& w, const document::DocumentState& saved) {
-  document::Timeline now = w.document.timeline;
+  document::Timeline now = w.document.timeline();
   if (now == saved.timeline) return true;
   const auto is_saved = [&](const document::PoseKey& left) {
     const auto is_same = [&](const document::PoseKey& key) { return *key.pose == *left.pose; };
@@ -92,7 +92,7 @@ bool save_session(Workspace& w, const fs::path& path) {
 
 bool save_pose(Workspace& w, const fs::path& path) {
   return attempt(w, "pose", path, document::the_pose, [&] {
-    deform::write_pose(path, *w.document.cage, real_pose(w.document));
+    deform::write_pose(path, *w.document.cage(), real_pose(w.document));
     mark_pose_saved(w);
   });
 }
@@ -101,12 +101,10 @@ bool save_cage(Workspace& w, const fs::path& path) {
   document::Document& document = w.document;
   return attempt(w, "cage", path, document::the_cage, [&] {
     formats::check_keeps_vertices(path);  // poses and sessions depend on the vertex order
-    formats::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
-    document.history.file_replaced(path, document.cage);
-    document.cage_file.path = path;
-    document.cage_file.made.clear();
-    document.cage_file.format = "saved here";
-    w.files.saved.put_cage(document.cage);
+    formats::write(path, document.cage()->surface, {"cage of " + document.model().path.filename().string()});
+    document.changed_history().file_replaced(path, document.cage());
+    document.put_saved_cage(path);
+    w.files.saved.put_cage(document.cage());
   });
 }
 
@@ -128,14 +126,15 @@ fs::path name_beside(const fs::path& session, const document::OpenedSurface& mes
 }  // namespace
 
 std::string moved_files(const Workspace& w) {
-  std::string names = is_moved(w.document.model) ? name_of(w.document.model) : "";
-  if (is_moved(w.document.cage_file)) names += (names.empty() ? "" : " and ") + name_of(w.document.cage_file);
+  std::string names = is_moved(w.document.model()) ? name_of(w.document.model()) : "";
+  if (is_moved(w.document.cage_file()))
+    names += (names.empty() ? "" : " and ") + name_of(w.document.cage_file());
   return names;
 }
 
 bool save_moved_files(Workspace& w, const fs::path& session) {
-  document::OpenedSurface& model = w.document.model;
-  const document::OpenedSurface& cage = w.document.cage_file;
+  const document::OpenedSurface& model = w.document.model();
+  const document::OpenedSurface& cage = w.document.cage_file();
   if (is_moved(cage) && !save_cage(w, name_beside(session, cage, false))) return false;
   if (!is_moved(model)) return true;
   const fs::path file = name_beside(session, model, true);
@@ -143,7 +142,7 @@ bool save_moved_files(Workspace& w, const fs::path& session) {
     const formats::Content content{*model.surface, model.surface->positions, {}, model.attributes.get()};
     for (const std::string& note : formats::write(file, content, model.original.get(), {}))
       w.messages.log(Severity::warning, note);
-    model.path = file;
+    w.document.put_saved_model(file);
   });
 }
 
@@ -158,7 +157,7 @@ bool changed_on_disk(const Workspace& w, const fs::path& session) {
 }
 
 std::string window_title(const Workspace& w) {
-  if (!w.document.model.surface) return "Viete";
+  if (!w.document.model().surface) return "Viete";
   return name_of_work(w) + (has_unsaved_edits(w) ? "*" : "") + " - Viete";
 }
 
@@ -168,17 +167,17 @@ bool has_unsaved_edits(const Workspace& w) {
 
 bool differs(const Workspace& w, const document::DocumentState& saved) {
   const bool by_time = is_timeline_pose(w);
-  if (w.document.cage != saved.cage || !same_probes(w, saved, by_time) ||
-      w.document.groups.sets != saved.groups.sets || !same_library(w, saved.library, by_time) ||
-      !same_timeline(w, saved) || !document::same_mask(w.document.mask, saved.mask))
+  if (w.document.cage() != saved.cage || !same_probes(w, saved, by_time) ||
+      w.document.groups().sets != saved.groups.sets || !same_library(w, saved.library, by_time) ||
+      !same_timeline(w, saved) || !document::same_mask(w.document.mask(), saved.mask))
     return true;
-  return w.document.is_movable() && (w.document.scheme != saved.scheme ||
-                                     (!by_time && (!document::same_shape(w.document.shape, saved.shape) ||
+  return w.document.is_movable() && (w.document.scheme() != saved.scheme ||
+                                     (!by_time && (!document::same_shape(w.document.shape(), saved.shape) ||
                                                    !document::same_pose(real_pose(w.document), saved.pose))));
 }
 
 void mark_saved(Workspace& w) {
-  w.files.saved.state = state_of(w.document);
+  w.files.saved.state = w.document.state();
   mark_pose_saved(w);
 }
 
@@ -189,13 +188,13 @@ void mark_pose_saved(Workspace& w) {
 
 files::Session session_of(const Workspace& w) {
   files::Session session;
-  static_cast<document::DocumentState&>(session) = state_of(w.document);
+  static_cast<document::DocumentState&>(session) = w.document.state();
   session.pose = real_pose(w.document);
   session.library.unmixed = unmixed_pose(w.document);
-  session.model = w.document.model;
+  session.model = w.document.model();
   session.origin = w.files.saved.session;
   session.origin_content = w.files.saved.content;
-  session.method = w.document.method;
+  session.method = w.document.method();
   session.camera = last_camera_of(w, 0);
   session.view = w.view.options;
   session.sides = ways_of(w);
@@ -214,7 +213,9 @@ document::FilesInUse files_open(const Workspace& w, std::string_view own) {
 }
 
 std::string name_of_work(const Workspace& w) {
-  return (w.files.saved.session.empty() ? w.document.model.path : w.files.saved.session).filename().string();
+  return (w.files.saved.session.empty() ? w.document.model().path : w.files.saved.session)
+      .filename()
+      .string();
 }
 
 }  // namespace viete::workspace

@@ -21,35 +21,35 @@ void take_step(Workspace& w) {
 }
 
 std::size_t selectable(const Workspace& w) {
-  return element_count(w.document, w.document.selection.kind());
+  return element_count(w.document, w.document.selection().kind());
 }
 
 void select_everything(Workspace& w) {
-  document::Selection all(w.document.selection.kind());
+  document::Selection all(w.document.selection().kind());
   all.select_all(selectable(w));
   set_selection(w.document, std::move(all));
 }
 
 void invert_selection(Workspace& w) {
-  document::Selection inverted = w.document.selection;
+  document::Selection inverted = w.document.selection();
   inverted.invert(selectable(w));
   set_selection(w.document, std::move(inverted));
 }
 
 document::Selection selection_or_hovered(const Workspace& w) {
-  document::Selection selection = w.document.selection;
+  document::Selection selection = w.document.selection();
   if (w.view.interaction.hovered && *w.view.interaction.hovered < selectable(w))
     selection.apply(std::array{*w.view.interaction.hovered}, document::SelectMode::add);
   return selection;
 }
 
 void select_linked(Workspace& w) {
-  set_selection(w.document, linked(*w.document.cage, selection_or_hovered(w)));
+  set_selection(w.document, linked(*w.document.cage(), selection_or_hovered(w)));
 }
 
 template <document::Selection (*Change)(const deform::Cage&, const document::Selection&)>
 void change_selection(Workspace& w) {
-  set_selection(w.document, Change(*w.document.cage, w.document.selection));
+  set_selection(w.document, Change(*w.document.cage(), w.document.selection()));
 }
 
 template <void (*Change)(document::Document&)>
@@ -78,12 +78,12 @@ void select_by(Workspace& w) {
 void add_select_commands(CommandTable& table) {
   table.heading("Edit");
   table.add("undo", "Undo", "Undo the last edit.", {key('Z'), true}, can_undo, take_step<document::undo>)
-      .of([](const Workspace& w) { return w.document.history.undo_label(); });
+      .of([](const Workspace& w) { return w.document.history().undo_label(); });
   table
       .add("redo", "Redo", "Redo the last undone edit.", {key('Z'), true, true}, can_redo,
            take_step<document::redo>)
       .or_by({key('Y'), true})
-      .of([](const Workspace& w) { return w.document.history.redo_label(); });
+      .of([](const Workspace& w) { return w.document.history().redo_label(); });
   table.add("reset_pose", "Reset pose", "Return the whole cage and all probes to rest.", {key('R'), true},
             is_posed, [](Workspace& w) { reset_pose(w.document); });
   table.add("reset_selected", "Reset selected", "Return the selection to rest.", {Key::delete_key},
@@ -106,7 +106,7 @@ void add_select_commands(CommandTable& table) {
       .or_by({key('A'), true});
   table.add("select_none", {"Deselect all", "None"}, "Clear the selection.", {key('A'), false, true},
             without_drag<has_selection>, [](Workspace& w) {
-              set_selection(w.document, document::Selection(w.document.selection.kind()));
+              set_selection(w.document, document::Selection(w.document.selection().kind()));
             });
   table.add("invert_selection", {"Invert selection", "Invert"}, "Exchange selected and unselected elements.",
             {key('I'), true}, without_drag<has_elements>, invert_selection);

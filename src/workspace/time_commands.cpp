@@ -18,10 +18,10 @@ constexpr Condition can_pose{
     "Open a cage, add a probe or import shapes first. Leave cage editing."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
                                     "Choose a pose in the list first. Add pose adds the current pose."};
-constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
+constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library().mixes(); },
                             "All weights are 0 %: move the slider of a pose first."};
 constexpr Condition has_time{[](const Workspace& w) {
-                               return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
+                               return !w.document.timeline().empty() && !is_editing_cage(w.document) &&
                                       !is_dragging(w);
                              },
                              "No keys yet: pose the model and set a key (I)."};
@@ -34,7 +34,7 @@ constexpr Condition shows_time{[](const Workspace& w) {
 constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
                                "Show the timeline and set a key first (I)."};
 constexpr Condition has_pose_keys{
-    [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
+    [](const Workspace& w) { return has_time(w) && !w.document.timeline().keys.empty(); },
     "No keys yet: pose the model and set a key (I)."};
 constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !is_dragging(w); },
                                    "Open a model first."};
@@ -57,12 +57,12 @@ void try_edit(Workspace& w, const char* what, Edit edit) {
 
 void keep(Workspace& w) {
   try_edit(w, "poses", [&] {
-    const auto& poses = w.document.library.poses;
+    const auto& poses = w.document.library().poses;
     const std::string name = "Pose " + std::to_string(poses.size() + 1);
     w.view.chosen_pose = keep_pose(w.document, w.playback.vectors, name, shown_weights(w));
     const document::SharedPose& added = poses.back().pose;
-    if (poses.size() > 1 && !document::same_pose(*added, *w.document.library.mixed) &&
-        document::same_pose(*added, *w.document.library.unmixed))
+    if (poses.size() > 1 && !document::same_pose(*added, *w.document.library().mixed) &&
+        document::same_pose(*added, *w.document.library().unmixed))
       w.messages.info("The weighted poses already make the current pose, so " + poses.back().name +
                       " adds nothing to them. Update pose stores the whole pose in it.");
   });
@@ -70,14 +70,14 @@ void keep(Workspace& w) {
 
 void remove(Workspace& w) {
   remove_pose(w.document, w.playback.vectors, *w.view.chosen_pose);
-  const std::size_t left = w.document.library.poses.size();
+  const std::size_t left = w.document.library().poses.size();
   w.view.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.view.chosen_pose, left - 1));
 }
 
 // Sets keys. If the timeline is closed or has no keys yet, opens the timeline and shows all keys.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
-    const bool shown = w.preferences.layout.timeline && !w.document.timeline.empty();
+    const bool shown = w.preferences.layout.timeline && !w.document.timeline().empty();
     stop_playing(w);
     set();
     if (!shown) show_timeline(w);
@@ -100,7 +100,7 @@ void key_pose(Workspace& w) {
     set_key(w.document, frame, weights);
     w.view.time.selected = {frame};
   };
-  set_keys(w, set, key_message(w.document.timeline.keys, "Key", frame));
+  set_keys(w, set, key_message(w.document.timeline().keys, "Key", frame));
 }
 
 void key_camera(Workspace& w) {
@@ -109,11 +109,11 @@ void key_camera(Workspace& w) {
     set_camera_key(w.document, frame, w.view.camera.pose());
     w.view.time.selected = {frame};
   };
-  set_keys(w, set, key_message(w.document.timeline.cameras, "Camera key", frame));
+  set_keys(w, set, key_message(w.document.timeline().cameras, "Camera key", frame));
 }
 
 void key_turntable(Workspace& w) {
-  const document::Timeline& t = w.document.timeline;
+  const document::Timeline& t = w.document.timeline();
   set_keys(
       w, [&] { set_turntable(w.document, w.view.camera.pose()); },
       "Camera keys set from frame " + std::to_string(t.first) + " to " + std::to_string(t.last) + '.');
@@ -139,19 +139,19 @@ void to_key(Workspace& w) {
 template <int document::Playing::*Frame>
 void to_end(Workspace& w) {
   stop_playing(w);
-  go_to_frame(w, w.document.timeline.*Frame);
+  go_to_frame(w, w.document.timeline().*Frame);
 }
 
 void change_play(Workspace& w, const auto& change) {
-  document::Playing play = w.document.timeline;
+  document::Playing play = w.document.timeline();
   change(play);
   set_play(w.document, play);
 }
 
 void fit_range(Workspace& w) {
-  const std::vector<int> frames = key_frames(w.document.timeline);
+  const std::vector<int> frames = key_frames(w.document.timeline());
   change_play(w, [&](document::Playing& play) { play.first = frames.front(), play.last = frames.back(); });
-  w.view.time.seen = fitting(w.document.timeline);
+  w.view.time.seen = fitting(w.document.timeline());
 }
 
 }  // namespace
@@ -215,10 +215,10 @@ void add_time_commands(CommandTable& table) {
             has_model,
             {[](Workspace& w) {
                change_mix(w, [&] {
-                 return set_linear(w.document, w.playback.vectors, !w.document.timeline.linear);
+                 return set_linear(w.document, w.playback.vectors, !w.document.timeline().linear);
                });
              },
-             [](const Workspace& w) { return w.document.timeline.linear; }});
+             [](const Workspace& w) { return w.document.timeline().linear; }});
   table.add("toggle_timeline", {"Show timeline", "Timeline"}, "Show or hide the timeline.",
             {key('T'), false, true}, always,
             {[](Workspace& w) { w.preferences.layout.timeline = !w.preferences.layout.timeline; },

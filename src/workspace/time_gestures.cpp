@@ -39,7 +39,7 @@ void drag_keys(Workspace& w, TimeView::Drag& drag, double frame) {
 void drag_box(Workspace& w, const TimeView::Drag& drag, double frame) {
   const auto [low, high] = std::minmax(drag.pressed, frame);
   std::vector<int> selected = drag.selected;
-  for (const int key : key_frames(w.document.timeline))
+  for (const int key : key_frames(w.document.timeline()))
     if (key >= low && key <= high && !has_frame(selected, key)) toggle_frame(selected, key);
   w.view.time.selected = std::move(selected);
 }
@@ -48,19 +48,19 @@ void drag_box(Workspace& w, const TimeView::Drag& drag, double frame) {
 
 std::vector<int> selected_keys(const Workspace& w) {
   std::vector<int> selected;
-  std::ranges::set_intersection(w.view.time.selected, key_frames(w.document.timeline),
+  std::ranges::set_intersection(w.view.time.selected, key_frames(w.document.timeline()),
                                 std::back_inserter(selected));
   return selected;
 }
 
 std::vector<int> eased_keys(const Workspace& w) {
   std::vector<int> eased;
-  const auto& keys = w.document.timeline.keys;
+  const auto& keys = w.document.timeline().keys;
   for (const int frame : selected_keys(w))
-    if (key_at(w.document.timeline, frame) && frame != keys.back().frame) eased.push_back(frame);
+    if (key_at(w.document.timeline(), frame) && frame != keys.back().frame) eased.push_back(frame);
   if (!eased.empty()) return eased;
   for (const document::PoseKey& key : keys)
-    if (key.frame <= w.document.frame) eased = {key.frame};
+    if (key.frame <= w.document.frame()) eased = {key.frame};
   return eased;
 }
 
@@ -75,8 +75,10 @@ void press_keys(Workspace& w, double frame, std::optional<int> key, bool add) {
   if (add) return toggle_frame(view.selected, *key);
   if (!has_frame(view.selected, *key)) view.selected = {*key};
   if (is_dragging(w)) return;
-  view.drag = TimeView::Drag{
-      .what = TimeView::What::keys, .pressed = frame, .before = w.document.timeline, .frames = view.selected};
+  view.drag = TimeView::Drag{.what = TimeView::What::keys,
+                             .pressed = frame,
+                             .before = w.document.timeline(),
+                             .frames = view.selected};
 }
 
 void press_ruler(Workspace& w, double frame) {
@@ -95,7 +97,7 @@ void drag_time(Workspace& w, double frame) {
   switch (drag->what) {
     case TimeView::What::scrub: {
       const double whole = std::round(frame);
-      if (whole != w.document.frame) go_to_frame(w, whole);
+      if (whole != w.document.frame()) go_to_frame(w, whole);
       return;
     }
     case TimeView::What::keys: return drag_keys(w, *drag, frame);
@@ -116,7 +118,7 @@ void cancel_time(Workspace& w) {
   auto& drag = w.view.time.drag;
   if (!drag) return;
   if (drag->what == TimeView::What::keys && drag->moved) {
-    w.document.timeline = w.document.history.drop_last().timeline;
+    w.document.changed_timeline() = w.document.changed_history().drop_last().timeline;
     w.view.time.selected = drag->frames;
   }
   if (drag->what == TimeView::What::pan) w.view.time.seen = drag->seen;

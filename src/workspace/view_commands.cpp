@@ -80,7 +80,7 @@ void pick_vertex(Workspace& w) {
   const auto hit = pick_triangle(w.document, w.frame.posed, w.view.camera.ray(at, w.view.viewport));
   if (!hit) return w.messages.info("Point at a vertex of the model first.");
   const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
-  show_sum_at(w, w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
+  show_sum_at(w, w.document.model().surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
 }
 
 }  // namespace

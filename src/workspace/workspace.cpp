@@ -45,8 +45,8 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
 // The corners of cubes around the selected probes. The edge length is the largest radius of the probe.
 std::vector<mesh::Point> around_probes(const document::Document& document) {
   std::vector<mesh::Point> points;
-  for (const auto i : document.selection.indices()) {
-    const deform::Probe& probe = document.probes.all[i];
+  for (const auto i : document.selection().indices()) {
+    const deform::Probe& probe = document.probes().all[i];
     const double half = 0.5 * std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
     const auto box = corners(cube_around(probe_center(document, i), half));
     points.insert(points.end(), box.begin(), box.end());
@@ -75,24 +75,24 @@ deform::Scheme unused_scheme(const Workspace& w) {
     return false;
   };
   for (const deform::WayEntry& entry : deform::all_ways()) {
-    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme);
+    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme());
     if (!is_used(scheme)) return scheme;
   }
-  return w.document.scheme;
+  return w.document.scheme();
 }
 
 }  // namespace
 
 std::size_t running_times(const Workspace& w) {
-  if (deform::engine_for(w.document.scheme, w.document.method) == deform::EngineKind::fused)
+  if (deform::engine_for(w.document.scheme(), w.document.method()) == deform::EngineKind::fused)
     return MethodTimes::fused;
-  return static_cast<std::size_t>(std::ranges::find(compared_methods, w.document.method) -
+  return static_cast<std::size_t>(std::ranges::find(compared_methods, w.document.method()) -
                                   compared_methods.begin());
 }
 
 document::SideWay shown_way(const Workspace& w, std::size_t view) {
   if (view > 0) return w.view.split.views[view];
-  return {w.document.scheme, w.document.method, w.view.options.field};
+  return {w.document.scheme(), w.document.method(), w.view.options.field};
 }
 
 analysis::Field shown_field(const Workspace& w, std::size_t view) {
@@ -100,7 +100,7 @@ analysis::Field shown_field(const Workspace& w, std::size_t view) {
   const analysis::Source source = analysis::entry(way.field).source;
   const bool exponential = w.document.has_cage() && way.scheme.exponential();
   const bool exists = source == analysis::Source::surface || source == analysis::Source::first
-                          ? w.document.model.surface != nullptr
+                          ? w.document.model().surface != nullptr
                       : source == analysis::Source::matrices ? exponential
                                                              : w.document.is_movable();
   return exists && !shows_mask(w) ? way.field : analysis::Field::none;
@@ -127,41 +127,42 @@ std::vector<files::RecoveryFile> Recovery::offers() const {
 
 float offer_height(const Workspace& w) {
   constexpr float usual = 152, with_cage_beside = 198;
-  const bool offered = w.panels.offer_cage && w.view.options.panels && w.document.model.surface &&
+  const bool offered = w.panels.offer_cage && w.view.options.panels && w.document.model().surface &&
                        !w.making.open && !w.document.is_movable();
   if (!offered) return 0;
-  const float height = w.document.cage_beside.empty() ? usual : with_cage_beside;
+  const float height = w.document.cage_beside().empty() ? usual : with_cage_beside;
   return std::min(height, 0.5f * w.view.viewport.size.y);
 }
 
 void frame_all(Workspace& w, bool eased) {
   const document::Document& document = w.document;
-  if (!document.model.surface) return;
+  if (!document.model().surface) return;
   // Usually the cage encloses the model, so that it is enough to show the cage.
   std::vector<mesh::Point> points;
-  if (document.has_cage()) points = element_points(*document.cage, document.pose);
-  const mesh::Bounds& model = document.model.bounds;
-  if (!document.has_cage() || !contains(document.cage_file.bounds, model))
+  if (document.has_cage()) points = element_points(*document.cage(), document.pose());
+  const mesh::Bounds& model = document.model().bounds;
+  if (!document.has_cage() || !contains(document.cage_file().bounds, model))
     std::ranges::copy(corners(model), std::back_inserter(points));
-  w.view.camera.frame(in_view(document.space, points), w.view.viewport, eased, offer_height(w));
+  w.view.camera.frame(in_view(document.space(), points), w.view.viewport, eased, offer_height(w));
 }
 
 void frame_selection(Workspace& w, bool eased) {
   const document::Document& document = w.document;
-  if (document.selection.empty()) return frame_all(w, eased);
+  if (document.selection().empty()) return frame_all(w, eased);
   std::vector<mesh::Point> points;
-  for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
-  if (document.selection.kind() == document::ElementKind::probe) points = around_probes(document);
-  w.view.camera.frame(in_view(document.space, points), w.view.viewport, eased);
+  for (const auto v : moving_vertices(document)) points.push_back(document.pose().positions[v]);
+  if (document.selection().kind() == document::ElementKind::probe) points = around_probes(document);
+  w.view.camera.frame(in_view(document.space(), points), w.view.viewport, eased);
 }
 
 void frame_worst(Workspace& w) {
   constexpr double share = 0.06;  // half the visible size, as a fraction of the model's diagonal
-  const auto& surface = *w.document.model.surface;
+  const auto& surface = *w.document.model().surface;
   const std::size_t worst = w.view.split.views[0].shown.stats.worst;
   if (worst >= surface.positions.size()) return;
-  const auto box = cube_around(w.frame.posed.at(surface, worst), share * w.document.model.bounds.diagonal());
-  w.view.camera.frame(in_view(w.document.space, corners(box)), w.view.viewport, true);
+  const auto box =
+      cube_around(w.frame.posed.at(surface, worst), share * w.document.model().bounds.diagonal());
+  w.view.camera.frame(in_view(w.document.space(), corners(box)), w.view.viewport, true);
 }
 
 void toggle_finding(Workspace& w, std::size_t index) {
@@ -187,12 +188,12 @@ void frame_finding(Workspace& w) {
   const document::Finding& finding = checks.findings[*checks.shown];
   const document::Document& document = w.document;
   const bool of_cage = finding.subject == document::Subject::cage;
-  const mesh::Surface& surface = of_cage ? *document.cage_file.surface : *document.model.surface;
+  const mesh::Surface& surface = of_cage ? *document.cage_file().surface : *document.model().surface;
   std::vector<glm::vec3> points;
   for (const auto e : shown_elements(checks, enough))
     for (const auto v : vertices_of(finding, surface, e))
       points.push_back(
-          document.space.to_view(of_cage ? document.pose.positions[v] : w.frame.posed.at(surface, v)));
+          document.space().to_view(of_cage ? document.pose().positions[v] : w.frame.posed.at(surface, v)));
   widen(points);
   w.view.camera.frame(points, w.view.viewport, true);
 }
@@ -215,8 +216,8 @@ void cancel_widget_edit(Workspace& w) {
 
 void take_report(Workspace& w, const deform::LogReport& report) {
   document::Document& document = w.document;
-  document.pose.turns = report.turns;
-  w.frame.notes = document::pose_notes(report, *document.cage, document.pose);
+  document.put_drawn_turns(report.turns);
+  w.frame.notes = document::pose_notes(report, *document.cage(), document.pose());
   w.frame.report = report;
 }
 
@@ -229,7 +230,7 @@ void split_view(Workspace& w, std::size_t count) {
     w.view.camera.set_pose(*std::exchange(split.before, std::nullopt));
   split.views.resize(std::min(count, split.count()));
   while (split.count() < count)
-    split.views.push_back({{unused_scheme(w), w.document.method, w.view.options.field}});
+    split.views.push_back({{unused_scheme(w), w.document.method(), w.view.options.field}});
   split.cameras.assign(split.count(), w.view.camera.pose());
   w.view.viewport = viewport_of(split, w.view.viewport, 0);
 }

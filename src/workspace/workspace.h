@@ -170,7 +170,7 @@ struct CopiedPose {
   std::vector<std::uint32_t> vertices;
   std::vector<mesh::Point> positions;  ///< one per vertex
 
-  bool is_of(const document::Document& document) const { return cage && cage == document.cage; }
+  bool is_of(const document::Document& document) const { return cage && cage == document.cage(); }
 };
 
 /// The display of the document, and the tools. Written by commands, panels and the pointer.
@@ -282,19 +282,19 @@ inline bool shows_mask(const Workspace& workspace) {
 
 /// The pose that pose commands act on; null if no pose is chosen.
 inline const document::NamedPose* chosen_pose(const Workspace& w) {
-  const auto& poses = w.document.library.poses;
+  const auto& poses = w.document.library().poses;
   return w.view.chosen_pose && *w.view.chosen_pose < poses.size() ? &poses[*w.view.chosen_pose] : nullptr;
 }
 
 /// The mirror of the cage if edits act on both sides, otherwise null.
 inline const document::Mirror* mirror_of(const Workspace& w) {
-  return w.view.mirror.cage == w.document.cage ? w.view.mirror.get() : nullptr;
+  return w.view.mirror.cage == w.document.cage() ? w.view.mirror.get() : nullptr;
 }
 
 /// True if the elements of the selection's kind are displayed.
 inline bool shows_selectable(const Workspace& w) {
-  const bool probes = w.document.selection.kind() == document::ElementKind::probe;
-  return w.view.options.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
+  const bool probes = w.document.selection().kind() == document::ElementKind::probe;
+  return w.view.options.cage && (probes ? !w.document.probes().empty() : w.document.has_cage());
 }
 
 /// The settings of a view. The first view has the document's settings.

@@ -71,7 +71,7 @@ struct Desk {
     REQUIRE(workspace.document.has_cage());
   }
   void edit() {
-    deform::Pose pose = workspace.document.pose;
+    deform::Pose pose = workspace.document.pose();
     pose.positions[0][0] += 0.25;
     document::set_pose(workspace.document, pose);
   }
@@ -140,9 +140,9 @@ TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   CHECK(d.desk->loading());
-  CHECK_FALSE(d.workspace.document.model.surface);
+  CHECK_FALSE(d.workspace.document.model().surface);
   d.finish_loading();
-  CHECK(d.workspace.document.model.surface);
+  CHECK(d.workspace.document.model().surface);
 }
 
 TEST_CASE("without_edits_or_with_edits_that_are_kept_the_program_closes_at_once") {
@@ -194,14 +194,14 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
     d.open({d.files.cage});
     REQUIRE(d.asks(QuestionKind::open));
     d.answer(workspace::Answer::cancel);
-    CHECK(d.workspace.document.model.path == d.files.model);
+    CHECK(d.workspace.document.model().path == d.files.model);
     CHECK(workspace::has_unsaved_edits(d.workspace));
   }
   SUBCASE("before another file takes their place, and it does") {
     d.open({d.files.cage});
-    CHECK(d.workspace.document.model.path == d.files.model);
+    CHECK(d.workspace.document.model().path == d.files.model);
     d.answer(workspace::Answer::proceed);
-    CHECK(d.workspace.document.model.path == d.files.cage);
+    CHECK(d.workspace.document.model().path == d.files.cage);
   }
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("edits_that_can_be_kept_are_set_aside_for_another_file_but_stay_with_a
   CHECK(d.workspace.recovery.files.empty());
   d.open({d.files.cage});
   CHECK_FALSE(d.workspace.files.question);
-  CHECK(d.workspace.document.model.path == d.files.cage);
+  CHECK(d.workspace.document.model().path == d.files.cage);
   CHECK(d.workspace.recovery.files.size() == 1);
   d.frame();
   CHECK_FALSE(d.workspace.recovery.offered);
@@ -268,7 +268,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   d.edit();
   d.frame();
   d.workspace.document.put_method(sym3::Method::sd);  // stored with the unsaved edit
-  const auto posed = d.workspace.document.pose.positions;
+  const auto posed = d.workspace.document.pose().positions;
   d.quit();
   REQUIRE(d.desk->closed());
   CHECK(d.desk->kept());
@@ -276,12 +276,12 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   CHECK(d.workspace.recovery.offered);
 
   restore(d);
-  CHECK(d.workspace.document.method == sym3::Method::sd);
+  CHECK(d.workspace.document.method() == sym3::Method::sd);
   CHECK(d.workspace.recovery.files.empty());
   CHECK_FALSE(d.workspace.recovery.offered);
   SUBCASE("closed without further edits, they are kept where they were and not offered again") {
     document::record_edit(d.workspace.document, "select all");
-    d.workspace.document.selection.select_all(8);
+    d.workspace.document.changed_selection().select_all(8);
     d.quit();
     REQUIRE(d.desk->closed());
     CHECK_FALSE(d.desk->kept());
@@ -295,7 +295,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     REQUIRE(d.workspace.recovery.files.size() == 1);
     CHECK(d.workspace.recovery.files[0].cage->positions.size() == d.workspace.recovery.files[0].posed.size());
     restore(d);
-    CHECK(d.workspace.document.pose.positions == posed);
+    CHECK(d.workspace.document.pose().positions == posed);
   }
   SUBCASE("another model in their place offers nothing") {
     d.open({d.files.model});
@@ -303,13 +303,13 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     CHECK_FALSE(d.workspace.recovery.offered);
     CHECK(d.workspace.messages.all().empty());
     restore(d);
-    CHECK(d.workspace.document.pose.positions == posed);
+    CHECK(d.workspace.document.pose().positions == posed);
   }
   SUBCASE("a program that is killed offers them again") {
     end_program(d);
     CHECK(d.workspace.recovery.offered);
     restore(d);
-    CHECK(d.workspace.document.pose.positions == posed);
+    CHECK(d.workspace.document.pose().positions == posed);
   }
   SUBCASE("edited further, they are offered again") {
     d.edit();
@@ -318,7 +318,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     end_program(d);
     CHECK(d.workspace.recovery.offered);
     restore(d);
-    CHECK(d.workspace.document.pose.positions != posed);
+    CHECK(d.workspace.document.pose().positions != posed);
   }
   SUBCASE("saved, they are gone") {
     d.save(FileContent::session, d.files / "a.viete");
@@ -357,7 +357,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     Desk d;
     d.open_cubes();
     d.edit();
-    const auto pose = d.workspace.document.pose;
+    const auto pose = d.workspace.document.pose();
     REQUIRE(workspace::save_session(d.workspace, d.files / "a.viete"));
     std::filesystem::rename(d.files.model, d.files / "new.obj");
     std::filesystem::rename(d.files.cage, d.files / "grid.obj");
@@ -387,8 +387,8 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
       d.finish_loading();
     }
     CHECK_FALSE(d.workspace.files.question);
-    CHECK(d.workspace.document.model.path == d.files / "new.obj");
-    CHECK(d.workspace.document.pose.positions == pose.positions);
+    CHECK(d.workspace.document.model().path == d.files / "new.obj");
+    CHECK(d.workspace.document.pose().positions == pose.positions);
     CHECK(d.workspace.files.saved.recovered == (what == What::recovery));
   }
 }
@@ -400,7 +400,7 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
   d.open({cage, d.files.model}, What::dropped);
   REQUIRE(d.asks(QuestionKind::fins));
   d.answer(workspace::Answer::cancel);
-  CHECK_FALSE(d.workspace.document.model.surface);
+  CHECK_FALSE(d.workspace.document.model().surface);
   d.open({d.files.model});
   for (const auto& [what, paths] :
        {std::pair{What::dropped, std::vector{cage, d.files.model}}, {What::cage, {cage}}}) {
@@ -408,7 +408,7 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
     d.answer(workspace::Answer::save);
     d.finish_loading();
     REQUIRE(d.workspace.document.has_cage());
-    CHECK(d.workspace.document.cage->surface.positions.size() == 8);
+    CHECK(d.workspace.document.cage()->surface.positions.size() == 8);
     CHECK(test::mentions(d.last_message(), "removed 1 protruding face of fin.obj"));
   }
 }
@@ -423,7 +423,7 @@ TEST_CASE("an_export_overwrites_no_open_file") {
   d.begin();
   d.open({d.files / "m.obj", d.files.cage});
   d.open({d.files / "key_1.obj"}, What::animation);
-  REQUIRE(d.workspace.document.timeline.keys.size() == 2);
+  REQUIRE(d.workspace.document.timeline().keys.size() == 2);
   const auto refuses = [&](FileContent content, const char* name, const char* why) {
     const std::string before = test::file_bytes(d.files / name);
     d.workspace.jobs.wishes.save(content, d.files / name);
@@ -448,7 +448,7 @@ TEST_CASE("a_session_whose_meshes_were_moved_is_saved_with_new_files_of_them_aft
   Desk d;
   d.open_cubes();
   d.edit();
-  const auto posed = d.workspace.document.pose.positions;
+  const auto posed = d.workspace.document.pose().positions;
   std::filesystem::create_directory(d.files / "moved");
   for (const char* name : {"model.obj", "cage.obj"})
     std::filesystem::rename(d.files / name, d.files / "moved" / name);
@@ -469,9 +469,9 @@ TEST_CASE("a_session_whose_meshes_were_moved_is_saved_with_new_files_of_them_aft
     CHECK_FALSE(workspace::has_unsaved_edits(d.workspace));
     CHECK(test::file_bytes(d.files / "work" / "cage.obj") == "somebody's");
     d.open({session});
-    CHECK(d.workspace.document.model.path.filename() == "model.obj");
-    CHECK(d.workspace.document.cage_file.path.filename() == "cage-2.obj");
-    CHECK(d.workspace.document.pose.positions == posed);
+    CHECK(d.workspace.document.model().path.filename() == "model.obj");
+    CHECK(d.workspace.document.cage_file().path.filename() == "cage-2.obj");
+    CHECK(d.workspace.document.pose().positions == posed);
     CHECK(d.workspace.messages.all().back().severity == workspace::Severity::info);
   }
   SUBCASE("the session only") {

@@ -42,8 +42,8 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   REQUIRE(result);
   REQUIRE(result->value);
   const document::Document& document = result->value->opened.document.value();
-  CHECK(document.model.path == files.model);
-  CHECK(result->value->shading.surface == document.model.surface);
+  CHECK(document.model().path == files.model);
+  CHECK(result->value->shading.surface == document.model().surface);
   CHECK(result->value->bound.binds(document));
   CHECK_FALSE(loader.running());
   CHECK_FALSE(loader.state().running);
@@ -75,14 +75,17 @@ TEST_CASE("it_is_bound_as_what_is_open_or_as_the_session_says") {
   const test::CubeFiles files;
   app::Loader loader;
   document::Document current;
-  current.scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.3};
+  deform::Scheme scheme = current.scheme();
+  scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.3};
+  current.put_scheme(scheme);
   const Result model = loaded(loader, {What::model, {files.model, files.cage}}, current);
   REQUIRE(model.value);
   CHECK(model.value->bound.binding->weighting.radius == 0.3);
 
   workspace::Workspace saved;
   saved.document = opened(loader, {What::model, {files.model, files.cage}});
-  saved.document.scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.2};
+  scheme.weighting.radius = 0.2;
+  saved.document.put_scheme(scheme);
   REQUIRE(workspace::save_session(saved, files / "a.viete"));
   const Result session = loaded(loader, {What::model, {files / "a.viete"}}, current);
   REQUIRE(session.value);

@@ -16,7 +16,7 @@ struct Keyed {
   VectorCache vectors;
 
   Animation animation(const Timeline& timeline) {
-    vectors.follow(document.cage);
+    vectors.follow(document.cage());
     return {timeline, vectors};
   }
 };

@@ -208,7 +208,7 @@ TEST_CASE("a_model_stands_on_its_broad_end") {
 
 TEST_CASE("with_z_up_the_camera_turns_about_z_and_files_stay_as_they_are") {
   Workspace w = test::cube_workspace();
-  const auto before = w.document.model.surface->positions;
+  const auto before = w.document.model().surface->positions;
   w.view.camera.set_pose({.yaw = 0, .pitch = 0, .up = UpAxis::z});
   CHECK(w.view.camera.up().z == doctest::Approx(1));
   CHECK(w.view.camera.forward().y == doctest::Approx(1));
@@ -222,5 +222,5 @@ TEST_CASE("with_z_up_the_camera_turns_about_z_and_files_stay_as_they_are") {
   CHECK(w.view.camera.pose().up == UpAxis::z);
   REQUIRE(test::run_command(w, "toggle_z_up"));
   CHECK(w.view.camera.pose().up == UpAxis::y);
-  CHECK(w.document.model.surface->positions == before);
+  CHECK(w.document.model().surface->positions == before);
 }

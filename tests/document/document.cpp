@@ -46,11 +46,11 @@ TEST_CASE("sizes_that_float_can_draw_and_double_can_deform_are_told_from_those_t
       CHECK_THROWS_WITH_AS(check_drawable(document), refused, base::Error);
       Workspace w;
       CHECK_FALSE(test::load_model(w, model, {}));
-      CHECK_FALSE(w.document.model.surface);
+      CHECK_FALSE(w.document.model().surface);
     }
     if (size > 1e-60 && size < 1e60) {
       CHECK_NOTHROW(check_deformable(document));
-      document.pose.positions[0][1] = 1e61;
+      document.changed_pose().positions[0][1] = 1e61;
       CHECK_THROWS_WITH_AS(check_deformable(document), doctest::Contains("sized_cage.obj: a size"),
                            base::Error);
     } else {
@@ -66,9 +66,9 @@ TEST_CASE("sizes_that_float_can_draw_and_double_can_deform_are_told_from_those_t
 TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  const auto* surface = w.document.model.surface.get();
-  w.document.pose.positions[0][0] += 1;
-  const auto pose = w.document.pose.positions;
+  const auto* surface = w.document.model().surface.get();
+  w.document.changed_pose().positions[0][0] += 1;
+  const auto pose = w.document.pose().positions;
   const auto topology = w.document.revisions().surfaces;
   CHECK_FALSE(test::load_model(w, files.broken, {}));
   CHECK_FALSE(test::load_model(w, files.model, files.broken));
@@ -77,8 +77,8 @@ TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   CHECK_FALSE(test::load_pose(w, files.broken));
   formats::write(files / "far.obj", test::cube(1e40));
   CHECK_FALSE(test::load_pose(w, files / "far.obj"));
-  CHECK(w.document.model.surface.get() == surface);
-  CHECK(w.document.pose.positions == pose);
+  CHECK(w.document.model().surface.get() == surface);
+  CHECK(w.document.pose().positions == pose);
   CHECK(w.document.revisions().surfaces == topology);
   CHECK(w.messages.all().back().severity == Severity::error);
   for (const char* name : {"broken.obj", "missing.obj", "cannot be drawn"})

@@ -16,12 +16,12 @@ using namespace viete::interact;
 TEST_CASE("vertices_of_a_cube_are_partners_across_every_axis") {
   const Document document = test::cube_document();
   for (int axis = 0; axis < 3; ++axis) {
-    const auto mirror = mirror_of(*document.cage, static_cast<MirrorPlane>(1 + axis));
+    const auto mirror = mirror_of(*document.cage(), static_cast<MirrorPlane>(1 + axis));
     REQUIRE(mirror);
     CHECK(mirror->unpaired() == 0);
     for (std::uint32_t v = 0; v < 8; ++v) CHECK(mirror->partners[v] == (v ^ (1u << axis)));
   }
-  CHECK_FALSE(mirror_of(*document.cage, MirrorPlane::none));
+  CHECK_FALSE(mirror_of(*document.cage(), MirrorPlane::none));
 }
 
 TEST_CASE("the_plane_of_a_turned_or_moved_cage_pairs_all_of_it") {
@@ -57,50 +57,50 @@ TEST_CASE("a_vertex_without_an_image_has_no_partner_and_one_on_the_plane_is_its_
 
 TEST_CASE("a_side_is_copied_to_the_other_and_swapped_and_undone") {
   Document document = test::cube_document();
-  const auto rest = document.pose.positions;
-  const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
-  document.pose.positions[1] = {2, -1, -1};
-  document.pose.positions[0] = {-9, 0, 0};  // the partner of vertex 1
-  const auto posed = document.pose.positions;
-  document.selection.apply(std::array{1u}, SelectMode::replace);
+  const auto rest = document.pose().positions;
+  const auto mirror = mirror_of(*document.cage(), MirrorPlane::x);
+  document.changed_pose().positions[1] = {2, -1, -1};
+  document.changed_pose().positions[0] = {-9, 0, 0};  // the partner of vertex 1
+  const auto posed = document.pose().positions;
+  document.changed_selection().apply(std::array{1u}, SelectMode::replace);
   copy_to_other_side(document, *mirror);
-  CHECK(document.pose.positions[0] == mesh::Point{-2, -1, -1});
-  CHECK(document.pose.positions[1] == mesh::Point{2, -1, -1});
+  CHECK(document.pose().positions[0] == mesh::Point{-2, -1, -1});
+  CHECK(document.pose().positions[1] == mesh::Point{2, -1, -1});
   undo(document);
-  CHECK(document.pose.positions == posed);
-  document.selection.clear();
+  CHECK(document.pose().positions == posed);
+  document.changed_selection().clear();
   swap_sides(document, *mirror);
-  CHECK(document.pose.positions[0] == mesh::Point{-2, -1, -1});
-  CHECK(document.pose.positions[1] == mesh::Point{9, 0, 0});
+  CHECK(document.pose().positions[0] == mesh::Point{-2, -1, -1});
+  CHECK(document.pose().positions[1] == mesh::Point{9, 0, 0});
   swap_sides(document, *mirror);
-  CHECK(document.pose.positions == posed);
-  CHECK(test::edit_count(document.history) == 2);
+  CHECK(document.pose().positions == posed);
+  CHECK(test::edit_count(document.history()) == 2);
 }
 
 TEST_CASE("hidden_partners_stay") {
   Document document = test::cube_document();
-  const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
-  document.groups.hidden = {0};
-  document.pose.positions[1] = {2, -1, -1};
-  const auto posed = document.pose.positions;
-  document.selection.apply(std::array{1u}, SelectMode::replace);
+  const auto mirror = mirror_of(*document.cage(), MirrorPlane::x);
+  document.changed_groups().hidden = {0};
+  document.changed_pose().positions[1] = {2, -1, -1};
+  const auto posed = document.pose().positions;
+  document.changed_selection().apply(std::array{1u}, SelectMode::replace);
   copy_to_other_side(document, *mirror);
-  CHECK(document.pose.positions[0] == posed[0]);
+  CHECK(document.pose().positions[0] == posed[0]);
   swap_sides(document, *mirror);
-  CHECK(document.pose.positions[0] == posed[0]);
+  CHECK(document.pose().positions[0] == posed[0]);
   const std::vector<mesh::Point> pasted{{5, 5, 5}};
   paste_pose(document, std::array{1u}, pasted, &*mirror);
-  CHECK(document.pose.positions[0] == posed[0]);
-  CHECK(document.pose.positions[1] == mesh::Point{5, 5, 5});
+  CHECK(document.pose().positions[0] == posed[0]);
+  CHECK(document.pose().positions[1] == mesh::Point{5, 5, 5});
 }
 
 TEST_CASE("a_cached_mirror_follows_cage_and_choice") {
   MirrorCache known;
   Document document = test::cube_document();
-  known.follow(document.cage, MirrorPlane::y);
+  known.follow(document.cage(), MirrorPlane::y);
   REQUIRE(known.get());
   CHECK(known.get()->partners[0] == 2);
-  known.follow(document.cage, MirrorPlane::none);
+  known.follow(document.cage(), MirrorPlane::none);
   CHECK_FALSE(known.get());
   known.follow(nullptr, MirrorPlane::x);
   CHECK_FALSE(known.get());

@@ -29,30 +29,30 @@ struct Mixed {
   explicit Mixed(bool poses = true) {
     if (poses) test::add_two_poses(document);
   }
-  std::vector<NamedPose>& poses() { return document.library.poses; }
-  const std::vector<mesh::Point>& positions() const { return document.pose.positions; }
+  std::vector<NamedPose>& poses() { return document.changed_library().poses; }
+  const std::vector<mesh::Point>& positions() const { return document.pose().positions; }
   bool weigh(std::size_t pose, double weight) { return set_weight(document, vectors, pose, weight); }
   // Sets the pose as a drag does.
   void put(const deform::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
-    document.pose = pose;
+    document.changed_pose() = pose;
   }
   std::vector<std::string> names() const {
     std::vector<std::string> all;
-    for (const NamedPose& named : document.library.poses) all.push_back(named.name);
+    for (const NamedPose& named : document.library().poses) all.push_back(named.name);
     return all;
   }
   void check_undone(const Document& start) {
-    const deform::Pose pose = document.pose;
-    const PoseLibrary library = document.library;
+    const deform::Pose pose = document.pose();
+    const PoseLibrary library = document.library();
     std::size_t steps = 0;
-    for (; document.history.can_undo(); ++steps) undo(document);
-    CHECK(document.pose.positions == start.pose.positions);
-    CHECK(document.library == start.library);
-    CHECK(document.timeline == start.timeline);
+    for (; document.history().can_undo(); ++steps) undo(document);
+    CHECK(document.pose().positions == start.pose().positions);
+    CHECK(document.library() == start.library());
+    CHECK(document.timeline() == start.timeline());
     for (std::size_t i = 0; i < steps; ++i) redo(document);
-    CHECK(document.pose.positions == pose.positions);
-    CHECK(document.library == library);
+    CHECK(document.pose().positions == pose.positions);
+    CHECK(document.library() == library);
   }
 };
 
@@ -70,8 +70,8 @@ TEST_CASE("poses_are_kept_applied_renamed_moved_duplicated_and_deleted_and_all_o
   CHECK(keep_pose(m.document, m.vectors, "wide") == 2);
   CHECK(m.names() == Names{"turned", "wide", "wide 2"});
   apply_pose(m.document, 0);
-  CHECK(m.document.pose.positions == turned_cube(400).positions);
-  CHECK(m.document.pose.turns == turned_cube(400).turns);
+  CHECK(m.document.pose().positions == turned_cube(400).positions);
+  CHECK(m.document.pose().turns == turned_cube(400).turns);
   rename_pose(m.document, 2, "wide");
   rename_pose(m.document, 2, "turned");
   CHECK(m.names() == Names{"turned", "wide", "turned 2"});
@@ -116,7 +116,7 @@ TEST_CASE("unchanged_values_and_too_many_poses_are_no_edits") {
   m.poses().resize(PoseLibrary::most_poses, m.poses().front());
   CHECK_THROWS_AS(keep_pose(m.document, m.vectors, "one more"), base::Error);
   CHECK_THROWS_AS(add_poses(m.document, {m.poses().front()}), base::Error);
-  CHECK_FALSE(m.document.history.can_undo());
+  CHECK_FALSE(m.document.history().can_undo());
 }
 
 TEST_CASE("a_weight_goes_through_rest_and_beyond_the_pose") {
@@ -139,8 +139,8 @@ TEST_CASE("weight_1_is_the_pose_and_weight_0_the_previous_pose_bit_for_bit") {
   m.poses()[0].pose = whole(turned_cube(400));
   m.weigh(0, 0.3);
   m.weigh(0, 1);
-  CHECK(m.document.pose.positions == turned_cube(400).positions);
-  CHECK(m.document.pose.turns == turned_cube(400).turns);
+  CHECK(m.document.pose().positions == turned_cube(400).positions);
+  CHECK(m.document.pose().turns == turned_cube(400).turns);
   m.weigh(0, 0);
   CHECK(m.positions() == test::cube(1.5).positions);
   m.put(stretched_cube(1.1, 0.7));
@@ -173,22 +173,22 @@ TEST_CASE("a_mix_that_cannot_be_drawn_changes_nothing") {
   Mixed m;
   m.poses()[1].pose = whole(stretched_cube(1e20));
   CHECK(m.weigh(1, 1));
-  const deform::Pose before = m.document.pose;
+  const deform::Pose before = m.document.pose();
   CHECK_FALSE(m.weigh(1, 3));
   CHECK_FALSE(m.weigh(1, std::numeric_limits<double>::quiet_NaN()));
-  CHECK(m.document.pose.positions == before.positions);
+  CHECK(m.document.pose().positions == before.positions);
   CHECK(m.poses()[1].weight == 1);
-  CHECK(test::edit_count(m.document.history) == 1);
+  CHECK(test::edit_count(m.document.history()) == 1);
 }
 
 TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   Mixed m;
   const Document start = m.document;
   for (int i = 1; i < 10; ++i) m.weigh(0, 0.1 * i);
-  CHECK(test::edit_count(m.document.history) == 1);
+  CHECK(test::edit_count(m.document.history()) == 1);
   m.weigh(1, 0.5);
   m.weigh(1, 0.6);
-  CHECK(test::edit_count(m.document.history) == 2);
+  CHECK(test::edit_count(m.document.history()) == 2);
   undo(m.document);
   CHECK(m.poses()[1].weight == 0);
   CHECK(m.poses()[0].weight == doctest::Approx(0.9));
@@ -210,7 +210,7 @@ TEST_CASE("a_drag_edits_the_pose_below_the_mix") {
   m.weigh(0, 0.5);
   m.put(turned_cube(65 + 360));
   m.weigh(0, 0.75);
-  CHECK(m.document.pose.turns[0][2] == doctest::Approx((65 + 360 + 22.5) / 180 * std::numbers::pi));
+  CHECK(m.document.pose().turns[0][2] == doctest::Approx((65 + 360 + 22.5) / 180 * std::numbers::pi));
 }
 
 TEST_CASE("an_added_pose_has_the_weight_1_and_moves_nothing") {
@@ -251,7 +251,7 @@ TEST_CASE("a_pose_added_at_a_key_is_in_the_mix_of_the_key") {
   m.weigh(0, 0.5);
   m.put(turned_cube(65));
   set_key(m.document, 1);
-  REQUIRE(m.document.timeline.keys[0].mix.size() == 1);
+  REQUIRE(m.document.timeline().keys[0].mix.size() == 1);
   SUBCASE("with the weights of the sliders") {
     keep_pose(m.document, m.vectors, "edit");
   }
@@ -260,7 +260,7 @@ TEST_CASE("a_pose_added_at_a_key_is_in_the_mix_of_the_key") {
     keep_pose(m.document, m.vectors, "edit", std::vector<double>{0.5, 0});
   }
   CHECK(m.poses()[0].weight == 0.5);
-  const auto& mix = m.document.timeline.keys[0].mix;
+  const auto& mix = m.document.timeline().keys[0].mix;
   REQUIRE(mix.size() == 2);
   CHECK(mix[1].name == "edit");
   CHECK(mix[1].weight == 1);
@@ -280,10 +280,10 @@ TEST_CASE("a_whole_pose_in_the_list_has_the_weight_1_and_a_pose_from_elsewhere_e
       m.weigh(*alone, 0);
       CHECK(m.positions() == turned_cube(0).positions);
     }
-    const auto there = m.document.pose.positions;
+    const auto there = m.document.pose().positions;
     m.weigh(0, 0.5);
     m.weigh(0, 0);
-    CHECK(m.document.pose.positions == there);
+    CHECK(m.document.pose().positions == there);
   };
   ended([](Document& d) { apply_pose(d, 1); }, 1);
   ended(
@@ -291,7 +291,7 @@ TEST_CASE("a_whole_pose_in_the_list_has_the_weight_1_and_a_pose_from_elsewhere_e
         begin_cage_editing(d);
         apply_pose(d, 1);
         CHECK_FALSE(is_editing_cage(d));
-        CHECK(d.pose.positions == stretched_cube(2).positions);
+        CHECK(d.pose().positions == stretched_cube(2).positions);
       },
       1);
   ended([](Document& d) { reset_pose(d); });
@@ -312,47 +312,46 @@ TEST_CASE("removing_a_mixed_pose_removes_its_motion") {
 
 TEST_CASE("probes_are_mixed_by_their_logs_and_locked_ones_stay") {
   Mixed m;
-  m.document.probes.all.resize(2);
+  m.document.changed_probes().all.resize(2);
   const deform::ProbePose pose{{0, 0, 2}, {1, 0, 0, 0, 0, 0}, {3, 0, 0}};
   m.poses()[0].pose = whole(turned_cube(90), {pose, pose});
-  m.document.probes.all[1].locked = true;
-  m.document.probes.all[1].pose.move = {7, 7, 7};
+  m.document.changed_probes().all[1].locked = true;
+  m.document.changed_probes().all[1].pose.move = {7, 7, 7};
   m.weigh(0, 0.5);
-  CHECK(m.document.probes.all[0].pose == deform::ProbePose{{0, 0, 1}, {0.5, 0, 0, 0, 0, 0}, {1.5, 0, 0}});
-  CHECK(m.document.probes.all[1].pose == deform::ProbePose{.move = {7, 7, 7}});
+  CHECK(m.document.probes().all[0].pose == deform::ProbePose{{0, 0, 1}, {0.5, 0, 0, 0, 0, 0}, {1.5, 0, 0}});
+  CHECK(m.document.probes().all[1].pose == deform::ProbePose{.move = {7, 7, 7}});
   m.put(turned_cube(50));
   m.weigh(0, 0.25);
-  CHECK(m.document.probes.all[1].pose == deform::ProbePose{.move = {7, 7, 7}});
+  CHECK(m.document.probes().all[1].pose == deform::ProbePose{.move = {7, 7, 7}});
   m.weigh(0, 0);
-  CHECK(mesh::norm(m.document.probes.all[0].pose.turn) < 1e-15);
+  CHECK(mesh::norm(m.document.probes().all[0].pose.turn) < 1e-15);
   apply_pose(m.document, 0);
-  CHECK(m.document.probes.all[0].pose == pose);
-  CHECK(m.document.probes.all[1].pose.move == mesh::Vec3{7, 7, 7});
+  CHECK(m.document.probes().all[0].pose == pose);
+  CHECK(m.document.probes().all[1].pose.move == mesh::Vec3{7, 7, 7});
 }
 
 TEST_CASE("poses_of_probes_alone_are_mixed_without_a_cage") {
-  Document document;
-  document.model = test::cube_document().model;
-  document.probes.all.resize(1);
-  document.library.poses = {{"out", whole({}, {{.move = {4, 0, 0}}})}};
+  Document document(test::cube_document().model());
+  document.changed_probes().all.resize(1);
+  document.changed_library().poses = {{"out", whole({}, {{.move = {4, 0, 0}}})}};
   VectorCache vectors;
   CHECK(set_weight(document, vectors, 0, 0.5));
-  CHECK(document.probes.all[0].pose.move == mesh::Vec3{2, 0, 0});
+  CHECK(document.probes().all[0].pose.move == mesh::Vec3{2, 0, 0});
   CHECK(set_weight(document, vectors, 0, 0));
-  CHECK(document.probes.all[0].pose.move == mesh::Vec3{0, 0, 0});
+  CHECK(document.probes().all[0].pose.move == mesh::Vec3{0, 0, 0});
 }
 
 TEST_CASE("a_removed_probe_is_gone_from_every_pose_and_key_and_comes_back_with_undo") {
   Mixed m;
-  m.document.probes.all.resize(3);
+  m.document.changed_probes().all.resize(3);
   std::vector<deform::ProbePose> poses(3);
   for (int i = 0; i < 3; ++i) poses[i].move = {double(i), 0, 0};
   m.poses()[0].pose = whole(turned_cube(90), poses);
-  m.document.timeline.keys = m.document.timeline.unkeyed = {{1, m.poses()[0].pose}};
-  m.document.selection = Selection(ElementKind::probe, std::array{1u});
+  m.document.changed_timeline().keys = m.document.changed_timeline().unkeyed = {{1, m.poses()[0].pose}};
+  m.document.changed_selection() = Selection(ElementKind::probe, std::array{1u});
   remove_probes(m.document);
   for (const SharedPose& pose :
-       {m.poses()[0].pose, m.document.timeline.keys[0].pose, m.document.timeline.unkeyed[0].pose}) {
+       {m.poses()[0].pose, m.document.timeline().keys[0].pose, m.document.timeline().unkeyed[0].pose}) {
     REQUIRE(pose->probes.size() == 2);
     CHECK(pose->probes[1].move == mesh::Vec3{2, 0, 0});
   }
@@ -362,30 +361,30 @@ TEST_CASE("a_removed_probe_is_gone_from_every_pose_and_key_and_comes_back_with_u
 
 TEST_CASE("an_edited_cage_takes_its_poses_and_keys_along") {
   Mixed m;
-  m.document.timeline = test::three_keys();
-  m.document.timeline.unkeyed = {test::key(9, turned_cube(-30))};
+  m.document.changed_timeline() = test::three_keys();
+  m.document.changed_timeline().unkeyed = {test::key(9, turned_cube(-30))};
   const Document start = m.document;
   m.weigh(1, 0.5);
   begin_cage_editing(m.document);
   subdivide_cage(m.document);
   end_cage_editing(m.document);
-  const std::size_t count = m.document.cage->surface.positions.size();
+  const std::size_t count = m.document.cage()->surface.positions.size();
   REQUIRE(count > 8);
-  CHECK_FALSE(m.document.library.mixes());
+  CHECK_FALSE(m.document.library().mixes());
   for (const NamedPose& named : m.poses()) CHECK(named.pose->cage.positions.size() == count);
-  for (const auto* keys : {&m.document.timeline.keys, &m.document.timeline.unkeyed})
+  for (const auto* keys : {&m.document.timeline().keys, &m.document.timeline().unkeyed})
     for (const PoseKey& key : *keys) CHECK(key.pose->cage.positions.size() == count);
   CHECK(m.weigh(0, 0.5));
-  CHECK(test::distance(m.positions(), start.pose.positions) > 1);
+  CHECK(test::distance(m.positions(), start.pose().positions) > 1);
   m.check_undone(start);
 }
 
 TEST_CASE("poses_of_a_cage_that_is_replaced_are_gone_and_counted") {
   Mixed m;
-  CHECK(drop_poses(m.document, *m.document.cage) == "2 poses");
-  CHECK(drop_poses(m.document, *m.document.cage).empty());
+  CHECK(drop_poses(m.document, *m.document.cage()) == "2 poses");
+  CHECK(drop_poses(m.document, *m.document.cage()).empty());
   test::add_two_poses(m.document);
-  m.document.timeline.keys = m.document.timeline.unkeyed = {test::key(1, turned_cube(0))};
-  CHECK(drop_poses(m.document, *m.document.cage) == "2 poses and 1 key");
-  CHECK(m.document.timeline.unkeyed.empty());
+  m.document.changed_timeline().keys = m.document.changed_timeline().unkeyed = {test::key(1, turned_cube(0))};
+  CHECK(drop_poses(m.document, *m.document.cage()) == "2 poses and 1 key");
+  CHECK(m.document.timeline().unkeyed.empty());
 }

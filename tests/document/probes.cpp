@@ -34,10 +34,10 @@ struct Probed {
     REQUIRE(test::load_model(w, files.model, cage ? files.cage : std::filesystem::path()));
   }
   Document& document() { return w.document; }
-  Probe& probe(std::size_t i = 0) { return w.document.probes.all[i]; }
+  Probe& probe(std::size_t i = 0) { return w.document.changed_probes().all[i]; }
   void add(const mesh::Point& at) { REQUIRE(add_probe(w.document, {}, at)); }
   void select(std::vector<std::uint32_t> which) {
-    w.document.selection = Selection(ElementKind::probe, which);
+    w.document.changed_selection() = Selection(ElementKind::probe, which);
   }
 };
 
@@ -53,20 +53,20 @@ TEST_CASE("a_probe_is_added_where_the_model_is_drawn_and_selected") {
   p.add(at);
   CHECK(p.probe().place == at);
   CHECK(p.probe().pose == ProbePose{});
-  CHECK(p.document().selection.kind() == ElementKind::probe);
-  CHECK(p.document().selection.contains(0));
-  CHECK(test::edit_count(p.document().history) == 1);
+  CHECK(p.document().selection().kind() == ElementKind::probe);
+  CHECK(p.document().selection().contains(0));
+  CHECK(test::edit_count(p.document().history()) == 1);
   // The model is posed. The probe is added at the corresponding point at rest.
   std::vector<deform::FrameVertex> posed;
-  for (const auto& x : p.document().model.surface->positions)
+  for (const auto& x : p.document().model().surface->positions)
     posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, {}});
   REQUIRE(add_probe(p.document(), {posed, {0, 0, 0}}, at + mesh::Point{7, 0, 0}));
   CHECK(deform::norm(p.probe(1).place - at) < 1e-6);
   undo(p.document());
   undo(p.document());
-  CHECK(p.document().probes.empty());
+  CHECK(p.document().probes().empty());
   redo(p.document());
-  CHECK(p.document().probes.all.size() == 1);
+  CHECK(p.document().probes().all.size() == 1);
 }
 
 TEST_CASE("there_is_a_largest_number_of_probes") {
@@ -75,7 +75,7 @@ TEST_CASE("there_is_a_largest_number_of_probes") {
   CHECK_FALSE(add_probe(p.document(), {}, {0, 0, 0}));
   CHECK_FALSE(mirror_probes(p.document(), 0));
   CHECK_FALSE(test::run_command(p.w, "add_probe"));
-  CHECK(p.document().probes.all.size() == most_probes);
+  CHECK(p.document().probes().all.size() == most_probes);
 }
 
 TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
@@ -95,15 +95,14 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));
   CHECK(m[3] == doctest::Approx(1).epsilon(1e-12));
   CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0.5, 1, 0}) < 1e-15);
-  CHECK(p.document().history.undo_label() == "move 2 probes");
+  CHECK(p.document().history().undo_label() == "move 2 probes");
   undo(p.document());
   undo(p.document());
   CHECK(p.probe().pose == ProbePose{});
   CHECK_FALSE(differs_from_rest(p.document()));
-  CHECK(p.document().pose.positions == p.document().cage->surface.positions);
+  CHECK(p.document().pose().positions == p.document().cage()->surface.positions);
   // The probe rotates about its position on the cage after the cage moved.
-  p.document().carried.resize(2);
-  p.document().carried[0].place = {1, 5, 0}, p.document().carried[1].place = {-1, 5, 0};
+  p.document().put_carried({{{1, 5, 0}}, {{-1, 5, 0}}});
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
   REQUIRE(
       transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 5, 0})));
@@ -146,7 +145,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   CHECK(p.probe() == locked);
   CHECK(p.probe(1).pose.move == mesh::Point{1, 0, 0});
   CHECK(test::run_command(p.w, "remove_probe"));
-  REQUIRE(p.document().probes.all.size() == 1);
+  REQUIRE(p.document().probes().all.size() == 1);
   CHECK(p.probe() == locked);
   CHECK_FALSE(test::run_command(p.w, "remove_probe"));
 }
@@ -156,10 +155,10 @@ TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
   p.add({0.7, 0.2, 0.1});
   p.probe().pose.turn = {0.1, 0.2, 0.3};
   CHECK(test::run_command(p.w, "mirror_probe"));
-  REQUIRE(p.document().probes.all.size() == 2);
+  REQUIRE(p.document().probes().all.size() == 2);
   CHECK(deform::norm(p.probe(1).place - mesh::Point{-0.7, 0.2, 0.1}) < 1e-15);
   CHECK(p.probe(1).pose.turn == mesh::Point{0.1, -0.2, -0.3});
-  CHECK(p.document().selection.indices() == std::vector<std::uint32_t>{1});
+  CHECK(p.document().selection().indices() == std::vector<std::uint32_t>{1});
 }
 
 TEST_CASE("the_axis_of_symmetry_is_found") {
@@ -170,9 +169,7 @@ TEST_CASE("the_axis_of_symmetry_is_found") {
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (axis != kept && p[axis] > 0) p[axis] *= 1 + 0.5 * std::abs(p[(axis + 1) % 3] + p[(axis + 2) % 3]);
     }
-    Document document;
-    document.model.bounds = mesh::used_bounds(surface);
-    document.model.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+    const Document document(test::surface_without_file(std::move(surface)));
     CHECK(symmetry_axis(document) == int(kept));
   }
 }
@@ -186,9 +183,9 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   p.select({2});
   set_locked(p.document(), true);
   p.select({0, 1, 2});
-  const auto edits = test::edit_count(p.document().history);
+  const auto edits = test::edit_count(p.document().history());
   for (const double radius : {0.1, 0.2, 0.3}) set_radius(p.document(), &Probe::turn, radius);
-  CHECK(test::edit_count(p.document().history) == edits + 1);
+  CHECK(test::edit_count(p.document().history()) == edits + 1);
   CHECK(p.probe(0).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(1).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // the probe is locked
@@ -196,17 +193,17 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   p.select({1});
   set_radius(p.document(), &Probe::turn, 0.5);
   set_radius(p.document(), &Probe::move, 0.6);
-  CHECK(test::edit_count(p.document().history) == edits + 3);
+  CHECK(test::edit_count(p.document().history()) == edits + 3);
   p.select({0, 1});
   set_falloff(p.document(), &Probe::turn, Falloff::sharp);
-  CHECK(test::edit_count(p.document().history) == edits + 4);
+  CHECK(test::edit_count(p.document().history()) == edits + 4);
   CHECK(p.probe(0).turn == Influence{Falloff::sharp, 0.3});
   CHECK(p.probe(1).turn == Influence{Falloff::sharp, 0.5});
   set_mix(p.document(), deform::ProbeMix::softmax);
   set_mix(p.document(), deform::ProbeMix::softmax);
-  CHECK(test::edit_count(p.document().history) == edits + 5);
+  CHECK(test::edit_count(p.document().history()) == edits + 5);
   undo(p.document());
-  CHECK(p.document().probes.mix == deform::ProbeMix::added);
+  CHECK(p.document().probes().mix == deform::ProbeMix::added);
   for (int i = 0; i < 3; ++i) undo(p.document());
   CHECK(p.probe(0).turn.radius == 0.3);
   CHECK(p.probe(1).turn.radius == 0.3);
@@ -218,11 +215,11 @@ TEST_CASE("a_model_of_one_point_can_have_probes") {
   Workspace w;
   REQUIRE(test::load_model(w, files.model, {}));
   REQUIRE(add_probe(w.document, {}, {1, 2, 3}));
-  CHECK(w.document.probes.all[0].turn.radius > 0);
+  CHECK(w.document.probes().all[0].turn.radius > 0);
   CHECK(least_probe_radius(w.document) > 0);
   REQUIRE(save_session(w, files / "a.viete"));
   Workspace back = test::opened({files / "a.viete"});
-  CHECK(back.document.probes == w.document.probes);
+  CHECK(back.document.probes() == w.document.probes());
 }
 
 TEST_CASE("removing_the_last_probe_is_an_unsaved_edit") {
@@ -248,7 +245,7 @@ TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
   p.add({-0.9, -0.9, 0.9});
   CHECK(shows_selectable(p.w));
   p.probe().pose.move = {0.2, 0, 0};
-  const Projector project(p.document().space, p.w.view.camera, p.w.view.viewport);
+  const Projector project(p.document().space(), p.w.view.camera, p.w.view.viewport);
   const glm::vec2 at(*project(probe_center(p.document(), 0)));
   const auto pick = pick_element(p.document(), p.w.view.camera, p.w.view.viewport, at);
   REQUIRE(pick);
@@ -257,9 +254,9 @@ TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
   CHECK(pick_elements_in_box(p.document(), p.w.view.camera, p.w.view.viewport, {0, 0}, {1000, 800}) ==
         std::vector<std::uint32_t>{0, 1});
   CHECK(test::run_command(p.w, "select_all"));
-  CHECK(p.document().selection.size() == 2);
+  CHECK(p.document().selection().size() == 2);
   CHECK(test::run_command(p.w, "select_vertices"));
-  CHECK(p.document().selection.empty());
+  CHECK(p.document().selection().empty());
   CHECK_FALSE(test::run_command(p.w, "select_all"));  // the document has no cage
 }
 
@@ -276,7 +273,8 @@ TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_anot
     change([&] { set_mask(p.document(), inverted(p.document()), "invert mask"); });
     Workspace back = test::opened({p.files / "a.viete"});
     const auto is_kept = [&] {
-      return back.document.probes == p.document().probes && same_mask(back.document.mask, p.document().mask);
+      return back.document.probes() == p.document().probes() &&
+             same_mask(back.document.mask(), p.document().mask());
     };
     CHECK(is_kept());
     CHECK_FALSE(has_unsaved_edits(back));
@@ -284,8 +282,8 @@ TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_anot
     CHECK(is_kept());
     CHECK(has_unsaved_edits(back));  // no session file has both the probes and this cage
     REQUIRE(test::open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
-    CHECK(back.document.probes.empty());
-    CHECK_FALSE(back.document.mask);
+    CHECK(back.document.probes().empty());
+    CHECK_FALSE(back.document.mask());
     CHECK_FALSE(has_unsaved_edits(back));
   }
 }

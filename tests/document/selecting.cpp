@@ -94,16 +94,16 @@ TEST_CASE("elements_of_polygons_are_counted_converted_and_linked") {
 
 TEST_CASE("switching_the_kind_converts_and_undo_brings_the_old_kind_back") {
   document::Document document = test::cube_document();
-  document.selection.select_all(8);
+  document.changed_selection().select_all(8);
   select_kind(document, ElementKind::face);
-  CHECK(document.selection.size() == 12);
+  CHECK(document.selection().size() == 12);
   reset_selected(document);
   select_kind(document, ElementKind::vertex);
   undo(document);
-  CHECK(document.selection.kind() == ElementKind::face);
+  CHECK(document.selection().kind() == ElementKind::face);
   document::Document empty;
   select_kind(empty, ElementKind::edge);
-  CHECK(empty.selection.kind() == ElementKind::edge);
+  CHECK(empty.selection().kind() == ElementKind::edge);
 }
 
 TEST_CASE("elements_are_counted_in_words") {

@@ -36,24 +36,24 @@ Workspace saved_cube() {
 
 TEST_CASE("selecting_is_undone_and_redone_and_is_no_work_that_could_be_lost") {
   Workspace w = saved_cube();
-  const unsigned long edits = w.document.history.revision();
+  const unsigned long edits = w.document.history().revision();
   CHECK(test::run_command(w, "select_all"));
   set_selection(w.document, vertices({1, 2}));
   set_selection(w.document, vertices({1, 2}));
   CHECK_FALSE(has_unsaved_edits(w));
-  CHECK(w.document.history.revision() == edits);
-  CHECK(w.document.history.undo_label() == "select");
-  CHECK(test::edit_count(w.document.history) == 0);
+  CHECK(w.document.history().revision() == edits);
+  CHECK(w.document.history().undo_label() == "select");
+  CHECK(test::edit_count(w.document.history()) == 0);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.selection.size() == 8);
+  CHECK(w.document.selection().size() == 8);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.selection.empty());
+  CHECK(w.document.selection().empty());
   CHECK_FALSE(test::run_command(w, "undo"));
   CHECK(test::run_command(w, "select_faces"));  // is not an edit, because no element is selected
-  CHECK_FALSE(w.document.history.can_undo());
+  CHECK_FALSE(w.document.history().can_undo());
   CHECK(test::run_command(w, "redo"));
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.selection == vertices({1, 2}));
+  CHECK(w.document.selection() == vertices({1, 2}));
   CHECK_FALSE(has_unsaved_edits(w));
 }
 
@@ -64,47 +64,48 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   w.view.tool = Tool::select;
   const glm::vec2 from = mouse.vertex(7);
   mouse.drag(from, from + 30.0f);
-  CHECK(w.document.selection == vertices({7}));
+  CHECK(w.document.selection() == vertices({7}));
   CHECK(differs_from_rest(w.document));
   undo(w.document);
-  CHECK(w.document.selection == vertices({1}));
+  CHECK(w.document.selection() == vertices({1}));
   CHECK_FALSE(differs_from_rest(w.document));
   redo(w.document);
-  CHECK(w.document.selection == vertices({7}));
+  CHECK(w.document.selection() == vertices({7}));
   undo(w.document);
   // Drags a vertex and returns it to its place. Only the selection changes.
   mouse.begin(from, from + 30.0f), mouse.move(from), mouse.release();
-  CHECK(w.document.selection == vertices({7}));
-  CHECK(w.document.history.undo_label() == "select");
+  CHECK(w.document.selection() == vertices({7}));
+  CHECK(w.document.history().undo_label() == "select");
   undo(w.document);
-  CHECK(w.document.selection == vertices({1}));
+  CHECK(w.document.selection() == vertices({1}));
 }
 
 TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
   Workspace w = saved_cube();
   auto& view = w.view;
-  const glm::vec2 at(*Projector(w.document.space, view.camera, view.viewport)(w.document.pose.positions[7]));
+  const glm::vec2 at(
+      *Projector(w.document.space(), view.camera, view.viewport)(w.document.pose().positions[7]));
   set_selection(w.document, vertices({6, 7}));
   CHECK(test::run_command(w, "hide_selected"));
-  CHECK(w.document.selection.empty());
+  CHECK(w.document.selection().empty());
   const auto under = pick_element(w.document, view.camera, view.viewport, at);
   CHECK((!under || under->index != 7));
   CHECK(test::run_command(w, "select_all"));
-  CHECK(w.document.selection.indices() == Indices{0, 1, 2, 3, 4, 5});
+  CHECK(w.document.selection().indices() == Indices{0, 1, 2, 3, 4, 5});
   CHECK(pick_elements_in_box(w.document, view.camera, view.viewport, {0, 0}, {1000, 800}).size() == 6);
   CHECK(test::run_command(w, "invert_selection"));
-  CHECK(w.document.selection.empty());
+  CHECK(w.document.selection().empty());
   // Selects and moves a face with a hidden corner. The corner does not move.
   CHECK(test::run_command(w, "select_faces"));
   CHECK(test::run_command(w, "select_all"));
-  CHECK(w.document.selection.size() == 12);
+  CHECK(w.document.selection().size() == 12);
   CHECK(transform_selection(w.document, Tool::move, test::plain_grip(w.document), {.shift = {1, 0, 0}}));
-  CHECK(w.document.pose.positions[7] == w.document.cage->surface.positions[7]);
-  CHECK(w.document.pose.positions[5] != w.document.cage->surface.positions[5]);
+  CHECK(w.document.pose().positions[7] == w.document.cage()->surface.positions[7]);
+  CHECK(w.document.pose().positions[5] != w.document.cage()->surface.positions[5]);
   CHECK(test::run_command(w, "show_hidden"));
   CHECK_FALSE(test::run_command(w, "show_hidden"));
-  while (w.document.history.can_undo()) undo(w.document);
-  CHECK(w.document.groups.hidden.empty());
+  while (w.document.history().can_undo()) undo(w.document);
+  CHECK(w.document.groups().hidden.empty());
   CHECK_FALSE(differs_from_rest(w.document));
 }
 
@@ -112,11 +113,11 @@ TEST_CASE("only_these_hides_the_others_and_edges_between_hidden_vertices_are_hid
   Workspace w = saved_cube();
   set_selection(w.document, vertices({0, 1}));
   CHECK(test::run_command(w, "hide_others"));
-  CHECK(w.document.groups.hidden == Indices{2, 3, 4, 5, 6, 7});
-  CHECK(w.document.selection == vertices({0, 1}));
+  CHECK(w.document.groups().hidden == Indices{2, 3, 4, 5, 6, 7});
+  CHECK(w.document.selection() == vertices({0, 1}));
   const auto hidden = hidden_elements(w.document, ElementKind::edge);
   for (std::uint32_t e = 0; e < hidden.size(); ++e) {
-    const auto& [a, b] = w.document.cage->edges[e];
+    const auto& [a, b] = w.document.cage()->edges[e];
     CHECK(hidden[e] == (a > 1 && b > 1));
   }
 }
@@ -129,26 +130,26 @@ TEST_CASE("sets_are_kept_renamed_selected_added_taken_out_and_deleted") {
   CHECK(has_unsaved_edits(w));
   set_selection(w.document, vertices({3, 4}));
   CHECK(test::run_command(w, "save_set"));
-  REQUIRE(w.document.groups.sets.size() == 2);
-  CHECK(w.document.groups.sets[1].name == "Set 2");
+  REQUIRE(w.document.groups().sets.size() == 2);
+  CHECK(w.document.groups().sets[1].name == "Set 2");
   rename_set(w.document, 1, "Arm");
-  CHECK(w.document.groups.sets[1].name == "Arm");
+  CHECK(w.document.groups().sets[1].name == "Arm");
   rename_set(w.document, 1, "");
   rename_set(w.document, 1, "Set 1");
-  CHECK(w.document.groups.sets[1].name == "Arm");
+  CHECK(w.document.groups().sets[1].name == "Arm");
   select_set(w.document, 0, SelectMode::replace);
-  CHECK(w.document.selection == vertices({0, 1, 2, 3}));
+  CHECK(w.document.selection() == vertices({0, 1, 2, 3}));
   select_set(w.document, 1, SelectMode::remove);
-  CHECK(w.document.selection == vertices({0, 1, 2}));
+  CHECK(w.document.selection() == vertices({0, 1, 2}));
   select_set(w.document, 1, SelectMode::add);
-  CHECK(w.document.selection == vertices({0, 1, 2, 3, 4}));
+  CHECK(w.document.selection() == vertices({0, 1, 2, 3, 4}));
   CHECK(test::run_command(w, "select_probes"));
   select_set(w.document, 1, SelectMode::add);
-  CHECK(w.document.selection == vertices({3, 4}));
+  CHECK(w.document.selection() == vertices({3, 4}));
   remove_set(w.document, 0);
-  CHECK(w.document.groups.sets.size() == 1);
+  CHECK(w.document.groups().sets.size() == 1);
   undo(w.document);
-  CHECK(w.document.groups.sets[0].name == "Set 1");
+  CHECK(w.document.groups().sets[0].name == "Set 1");
 }
 
 TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_are_named") {
@@ -160,16 +161,16 @@ TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_a
   CHECK(test::run_command(w, "edit_cage"));
   set_selection(w.document, vertices({7}));
   CHECK(test::run_command(w, "remove_elements"));
-  REQUIRE(w.document.groups.sets.size() == 1);
-  CHECK(w.document.groups.sets[0].vertices == Indices{4, 5, 6});
+  REQUIRE(w.document.groups().sets.size() == 1);
+  CHECK(w.document.groups().sets[0].vertices == Indices{4, 5, 6});
   REQUIRE_FALSE(w.messages.all().empty());
   CHECK(w.messages.all().back().text.find("\"Set 1\"") != std::string::npos);
   // Adds a vertex between two vertices of a set. The new vertex is in the set.
   select_set(w.document, 0, SelectMode::replace);
   CHECK(test::run_command(w, "split_edges"));
-  CHECK(w.document.groups.sets[0].vertices.size() > 3);
+  CHECK(w.document.groups().sets[0].vertices.size() > 3);
   for (int n = 0; n < 3; ++n) CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.groups.sets.size() == 2);
+  CHECK(w.document.groups().sets.size() == 2);
 }
 
 TEST_CASE("modes_replace_add_and_remove_and_inverting_twice_changes_nothing") {

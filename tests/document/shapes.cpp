@@ -74,13 +74,13 @@ struct BarFiles : test::TemporaryFolder {
     return *this / name;
   }
   Document& document() { return w.document; }
-  const Points& shape() const { return *w.document.shape; }
+  const Points& shape() const { return *w.document.shape(); }
 
   void open(const fs::path& cage = {}) { REQUIRE(test::load_model(w, model, cage)); }
   void add_bends() {
     REQUIRE(test::open_now(
         w, {What::shapes, {write("left.obj", bent(quarter_turn)), write("right.obj", bent(-1))}}));
-    REQUIRE(document().library.poses.size() == 2);
+    REQUIRE(document().library().poses.size() == 2);
   }
   bool weigh(std::size_t pose, double weight) {
     return set_weight(document(), w.playback.vectors, pose, weight);
@@ -99,7 +99,7 @@ struct BarFiles : test::TemporaryFolder {
   // Moves a pin as a drag does.
   void move_pin(std::size_t pin, const mesh::Vec3& way) {
     record_edit(document(), "move a pin");
-    document().changed_probes().all[pin].pose.move = document().probes.all[pin].pose.move + way;
+    document().changed_probes().all[pin].pose.move = document().probes().all[pin].pose.move + way;
     settle_pins();
   }
   void settle_pins() {
@@ -127,44 +127,44 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   CHECK(!f.document().is_movable());
   f.add_bends();
   CHECK(f.document().is_movable());
-  CHECK(f.document().library.poses[0].name == "left");
+  CHECK(f.document().library().poses[0].name == "left");
   REQUIRE(f.weigh(0, 1));
-  CHECK(f.document().shape == f.document().library.poses[0].pose->shape);
+  CHECK(f.document().shape() == f.document().library().poses[0].pose->shape);
   REQUIRE(f.weigh(0, 0.5));
   CHECK(largest_distance(f.shape(), f.bent(quarter_turn / 2)) < 0.02);
   const Points half = f.shape();
   REQUIRE(set_linear(f.document(), f.w.playback.vectors, true));
   const Points rest = f.bar.positions, left = f.bent(quarter_turn);
   for (std::size_t v = 0; v < rest.size(); ++v)
-    CHECK(mesh::norm(f.shape()[v] - 0.5 * (rest[v] + (*f.document().library.poses[0].pose->shape)[v])) <
+    CHECK(mesh::norm(f.shape()[v] - 0.5 * (rest[v] + (*f.document().library().poses[0].pose->shape)[v])) <
           1e-12);
   CHECK(largest_distance(f.shape(), half) > 0.2);
   undo(f.document());
   CHECK(f.shape() == half);
-  CHECK(!f.document().timeline.linear);
+  CHECK(!f.document().timeline().linear);
   REQUIRE(f.weigh(1, -0.5));
   CHECK(f.tip()[0] > BarFiles().bent(quarter_turn / 2)[66][0]);
   REQUIRE(f.weigh(0, -1.5));
   REQUIRE(f.weigh(0, 0));
   REQUIRE(f.weigh(1, 0));
-  CHECK(!f.document().shape);
-  while (f.document().history.can_undo()) undo(f.document());
-  CHECK(f.document().library.poses.empty());
-  while (f.document().history.can_redo()) redo(f.document());
-  CHECK(f.document().library.poses.size() == 2);
+  CHECK(!f.document().shape());
+  while (f.document().history().can_undo()) undo(f.document());
+  CHECK(f.document().library().poses.empty());
+  while (f.document().history().can_redo()) redo(f.document());
+  CHECK(f.document().library().poses.size() == 2);
 }
 
 TEST_CASE("an_edited_pose_stays_below_the_mix_of_shapes") {
   BentBar f;
   apply_pose(f.w, 1);
-  const SharedShape by_hand = f.document().shape;
+  const SharedShape by_hand = f.document().shape();
   REQUIRE(by_hand);
   REQUIRE(f.weigh(0, 0.3));
   CHECK(largest_distance(f.shape(), *by_hand) > 0.1);
   REQUIRE(f.weigh(0, 0));
-  CHECK(f.document().shape == by_hand);
+  CHECK(f.document().shape() == by_hand);
   reset_pose(f.document());
-  CHECK(!f.document().shape);
+  CHECK(!f.document().shape());
   CHECK(!differs_from_rest(f.document()));
 }
 
@@ -174,47 +174,47 @@ TEST_CASE("files_that_fit_are_shapes_when_dropped_and_the_model_itself_is_opened
   const fs::path left = f.write("left.obj", f.bent(1)), right = f.write("right.ply", f.bent(-1)),
                  third = f.write("third.off", f.bent(2));
   REQUIRE(test::open_now(f.w, {What::dropped, {left}}));
-  CHECK(f.document().library.poses.size() == 1);
+  CHECK(f.document().library().poses.size() == 1);
   CHECK(mentions(f.w.messages.all().front().text, "as a shape"));
   REQUIRE(test::open_now(f.w, {What::dropped, {third, right}}));
   REQUIRE(test::open_now(f.w, {What::dropped, {left, right, third}}));
-  CHECK(f.document().library.poses.size() == 6);
-  CHECK(f.document().library.poses[5].name == "third 2");
+  CHECK(f.document().library().poses.size() == 6);
+  CHECK(f.document().library().poses[5].name == "third 2");
   CHECK(!test::open_now(f.w, {What::shapes, {f.cage_file()}}));
   CHECK(mentions(f.w.messages.all().back().text, "the file has 8 vertices, the model has 68"));
-  CHECK(f.document().library.poses.size() == 6);
+  CHECK(f.document().library().poses.size() == 6);
   REQUIRE(test::open_now(f.w, {What::dropped, {f.model}}));
-  CHECK(f.document().library.poses.empty());
+  CHECK(f.document().library().poses.empty());
   // Imports all suitable files of a folder, except the model itself.
   REQUIRE(test::open_now(f.w, {What::shapes, {f / "."}}));
-  CHECK(f.document().library.poses.size() == 3);
+  CHECK(f.document().library().poses.size() == 3);
 }
 
 TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   BarFiles f;
   f.open(f.cage_file());
   f.add_bends();
-  f.document().timeline.keys.clear();
+  f.document().changed_timeline().keys.clear();
   REQUIRE(f.weigh(0, 0.37));
   set_key(f.document(), 1);
-  f.document().frame = 20;
+  f.document().put_frame(20);
   apply_pose(f.w, 1);
   set_key(f.document(), 20);
   f.add_pin_at(30);
   set_pulls(f.document(), true);
-  f.document().pose.positions[2][0] += 0.25;
+  f.document().changed_pose().positions[2][0] += 0.25;
   const fs::path file = f / "all.viete";
   REQUIRE(save_session(f.w, file));
   CHECK(!has_unsaved_edits(f.w));
   Workspace again = test::opened({file});
   const Document &a = f.document(), &b = again.document;
-  CHECK(*b.shape == *a.shape);
-  CHECK(b.probes == a.probes);
-  REQUIRE(b.library.poses.size() == 2);
-  for (std::size_t i = 0; i < 2; ++i) CHECK(*b.library.poses[i].pose == *a.library.poses[i].pose);
-  REQUIRE(b.timeline.keys.size() == 2);
-  for (std::size_t i = 0; i < 2; ++i) CHECK(*b.timeline.keys[i].pose == *a.timeline.keys[i].pose);
-  CHECK(b.pose.positions == a.pose.positions);
+  CHECK(*b.shape() == *a.shape());
+  CHECK(b.probes() == a.probes());
+  REQUIRE(b.library().poses.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(*b.library().poses[i].pose == *a.library().poses[i].pose);
+  REQUIRE(b.timeline().keys.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(*b.timeline().keys[i].pose == *a.timeline().keys[i].pose);
+  CHECK(b.pose().positions == a.pose().positions);
   CHECK(!has_unsaved_edits(again));
   // The file has each shape once: two imported shapes and one mixed shape.
   const std::string text = test::file_bytes(file);
@@ -226,21 +226,21 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
 TEST_CASE("shapes_stay_when_the_model_gets_a_cage_and_poses_of_another_cage_go") {
   BentBar f;
   REQUIRE(f.weigh(0, 1));
-  const SharedShape left = f.document().shape;
+  const SharedShape left = f.document().shape();
   REQUIRE(test::load_cage(f.w, f.cage_file()));
-  CHECK(f.document().shape == left);
-  REQUIRE(f.document().library.poses.size() == 2);
-  CHECK(f.document().library.poses[0].pose->cage.positions == f.document().cage->surface.positions);
+  CHECK(f.document().shape() == left);
+  REQUIRE(f.document().library().poses.size() == 2);
+  CHECK(f.document().library().poses[0].pose->cage.positions == f.document().cage()->surface.positions);
   f.document().changed_pose().positions[0][1] -= 0.3;
   f.document().put_shape(nullptr);
   keep_pose(f.document(), f.w.playback.vectors, "of the cage");
   REQUIRE(f.weigh(0, 0.5));
   REQUIRE(f.weigh(2, 0.5));
-  CHECK(f.document().shape);
+  CHECK(f.document().shape());
   mesh::Surface cage = test::cube(3);
   formats::write(f / "other.obj", cage);
   REQUIRE(test::load_cage(f.w, f / "other.obj"));
-  CHECK(f.document().library.poses.size() == 2);
+  CHECK(f.document().library().poses.size() == 2);
   CHECK(mentions(f.w.messages.all().back().text, "1 pose"));
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("keys_with_shapes_play_and_a_pin_goes_with_its_vertex") {
   BentBar f;
   f.add_pin_at(67);
   set_key(f.document(), 1);
-  f.document().frame = 21;
+  f.document().put_frame(21);
   apply_pose(f.w, 0);
   set_key(f.document(), 21);
   follow_pins(f.w);
@@ -256,7 +256,7 @@ TEST_CASE("keys_with_shapes_play_and_a_pin_goes_with_its_vertex") {
     go_to_frame(f.w, frame);
     follow_pins(f.w);
     CHECK(!f.w.frame.pins.is_due());
-    const Probe& pin = f.document().probes.all[0];
+    const Probe& pin = f.document().probes().all[0];
     CHECK(pin.place + pin.pose.move == shape_of_vertex(f.document(), 67));
     if (frame == 11) CHECK(largest_distance(f.shape(), f.bent(quarter_turn / 2)) < 0.02);
   }
@@ -267,30 +267,30 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   BentBar f;
   for (const std::uint32_t v : {0u, 2u, 66u}) f.add_pin_at(v);
   f.add_pin_at(2);  // selects the existing pin
-  REQUIRE(f.document().probes.all.size() == 3);
-  CHECK(!f.document().shape);
+  REQUIRE(f.document().probes().all.size() == 3);
+  CHECK(!f.document().shape());
   f.w.view.handling.freedom = 0.3;
   f.move_pin(2, {1, -0.3, 0});
-  REQUIRE(f.document().shape);
+  REQUIRE(f.document().shape());
   CHECK(mesh::norm(f.shape()[66] - (f.bar.positions[66] + mesh::Vec3{1, -0.3, 0})) < 1e-6);
   CHECK(mesh::norm(f.shape()[0] - f.bar.positions[0]) < 1e-6);
-  CHECK(f.document().library.poses[0].weight - f.document().library.poses[1].weight > 0.2);
-  const SharedShape first = f.document().shape;
+  CHECK(f.document().library().poses[0].weight - f.document().library().poses[1].weight > 0.2);
+  const SharedShape first = f.document().shape();
   f.move_pin(2, {0.4, -0.3, 0});
-  const SharedShape second = f.document().shape;
-  const double weight = f.document().library.poses[0].weight;
+  const SharedShape second = f.document().shape();
+  const double weight = f.document().library().poses[0].weight;
   undo(f.document());
   f.settle_pins();
-  CHECK(f.document().shape == first);
+  CHECK(f.document().shape() == first);
   redo(f.document());
   f.settle_pins();
-  CHECK(f.document().shape == second);
-  CHECK(f.document().library.poses[0].weight == weight);
+  CHECK(f.document().shape() == second);
+  CHECK(f.document().library().poses[0].weight == weight);
   // A weight slider changes this shape and moves the pins.
   REQUIRE(f.weigh(0, weight + 0.1));
   CHECK(largest_distance(f.shape(), *second) < 0.5);
   CHECK(largest_distance(f.shape(), *second) > 0.01);
-  const Probe& pin = f.document().probes.all[2];
+  const Probe& pin = f.document().probes().all[2];
   CHECK(pin.place + pin.pose.move == f.shape()[66]);
   f.settle_pins();
   // After that, a small move of the pin changes the shape only a little.
@@ -304,7 +304,7 @@ TEST_CASE("without_shapes_pins_leave_the_model_as_rigid_as_can_be_and_pulling_on
   f.open();
   for (const std::uint32_t v : {0u, 2u, 66u}) f.add_pin_at(v);
   f.move_pin(2, {0.5, 0, 0});
-  REQUIRE(f.document().shape);
+  REQUIRE(f.document().shape());
   CHECK(mesh::norm(f.shape()[66] - (f.bar.positions[66] + mesh::Vec3{0.5, 0, 0})) < 1e-6);
   double longest = 0;
   for (std::size_t r = 8; r < 60; r += 4)
@@ -312,7 +312,7 @@ TEST_CASE("without_shapes_pins_leave_the_model_as_rigid_as_can_be_and_pulling_on
   CHECK(longest < 0.06);
   reset_pose(f.document());
   f.settle_pins();
-  CHECK(!f.document().shape);
+  CHECK(!f.document().shape());
   set_pulls(f.document(), true);
   f.move_pin(2, {0.5, 0, 0});
   const double left = mesh::norm(f.shape()[66] - (f.bar.positions[66] + mesh::Vec3{0.5, 0, 0}));

@@ -17,13 +17,13 @@ namespace {
 struct Timed {
   Document document = test::cube_document();
 
-  Timeline& timeline() { return document.timeline; }
+  Timeline& timeline() { return document.changed_timeline(); }
   std::vector<int> frames() const {
     std::vector<int> all;
-    for (const PoseKey& key : document.timeline.keys) all.push_back(key.frame);
+    for (const PoseKey& key : document.timeline().keys) all.push_back(key.frame);
     return all;
   }
-  std::size_t edits() const { return test::edit_count(document.history); }
+  std::size_t edits() const { return test::edit_count(document.history()); }
 };
 
 using Frames = std::vector<int>;
@@ -37,12 +37,12 @@ TEST_CASE("keys_are_by_frame_each_there_once_and_the_range_grows_with_them") {
   CHECK(t.timeline().first == -5);
   CHECK(t.timeline().last == 90);
   set_easing(t.document, Frames{10}, Easing::hold);
-  t.document.pose = test::turned_cube(90);
+  t.document.changed_pose() = test::turned_cube(90);
   set_key(t.document, 10);
   CHECK(key_at(t.timeline(), 10)->pose->cage.positions == test::turned_cube(90).positions);
   CHECK(key_at(t.timeline(), 10)->easing == Easing::hold);
   CHECK(key_at(t.timeline(), 11) == nullptr);
-  while (t.document.history.can_undo()) undo(t.document);
+  while (t.document.history().can_undo()) undo(t.document);
   CHECK(t.timeline() == Timeline{});
 }
 

@@ -113,13 +113,13 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
   for (const char* name : {"a.pc2", "a.mdd"}) {
     for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // exported in float, then in double
       CAPTURE(name);
-      cube.document.method = method;
+      cube.document.put_method(method);
       const AnimationExport what = animation_export_of(cube.document, cube / name);
       const AnimationReport report = write_animation(what);
       CHECK(test::mentions(report.summary, method == sym3::Method::fast ? "in float" : "in double"));
       const formats::PointCache cache(cube / name);
       CHECK(cache.head().frames == 17);
-      CHECK(cache.head().points == cube.document.model.surface->positions.size());
+      CHECK(cache.head().points == cube.document.model().surface->positions.size());
       for (std::size_t i = 0; i < 17; ++i)
         CHECK(largest_distance(cache.frame(i), exact_frame(cube, 1 + double(i))) < 2e-6);
     }
@@ -131,17 +131,17 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
 TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer") {
   test::AnimatedCube cube;
   formats::write(cube / "fine.obj", test::ball(1));  // the error is measured only at some of these vertices
-  cube.document.model = open_document(cube / "fine.obj", cube.cage).model;
-  const deform::Cage& cage = *cube.document.cage;
+  cube.document.put_model(open_document(cube / "fine.obj", cube.cage).model());
+  const deform::Cage& cage = *cube.document.cage();
   const auto rest = test::whole(deform::rest_pose(cage)),
              bent = test::whole(test::turned_cage(cage, 90, 20, 2));
   // The export tests the error of float only at the first, middle and last frame. There, the cage rests.
-  cube.document.timeline.keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
+  cube.document.changed_timeline().keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
   base::WorkerPool pool(2);
   std::size_t in_float = 0;
   for (const auto& way : deform::all_ways()) {
     CAPTURE(way.name);
-    cube.document.scheme = way.scheme;
+    cube.document.put_scheme(way.scheme);
     const AnimationExport what = animation_export_of(cube.document, cube / "a.pc2");
     const std::string summary = write_animation(what).summary;
     const double stated = stated_error(summary) * cage.diagonal;
@@ -175,7 +175,7 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
     CHECK(clip->targets().size() == report.frames - 1);  // the key at rest has no target
     CHECK(std::ranges::count_if(seconds, [](double s) { return std::abs(s - 8 / 24.0) < 1e-6; }) == 1);
     CHECK(seconds.back() == doctest::Approx(16 / 24.0));
-    const auto own = file_vertices(read.surface, *cube.document.model.surface);
+    const auto own = file_vertices(read.surface, *cube.document.model().surface);
     double worst = 0;
     std::size_t key = 0;
     for (int frame = 1; frame <= 17; ++frame) {
@@ -198,10 +198,11 @@ TEST_CASE("far_animations_keep_their_positions_or_state_the_rounding") {
   formats::write(folder / "model.obj", test::far_away(test::cube(1)));
   formats::write(folder / "cage.obj", test::far_away(test::cube(2)));
   Document document = open_document(folder / "model.obj", folder / "cage.obj");
-  deform::Pose bent = deform::rest_pose(*document.cage);
+  deform::Pose bent = deform::rest_pose(*document.cage());
   for (const int v : {1, 2, 3}) bent.positions[v] = bent.positions[v] + mesh::Point{0.3, 0.7, 1};
-  document.timeline.keys = {{1, test::whole(deform::rest_pose(*document.cage))}, {9, test::whole(bent)}};
-  document.timeline.last = 9;
+  document.changed_timeline().keys = {{1, test::whole(deform::rest_pose(*document.cage()))},
+                                      {9, test::whole(bent)}};
+  document.changed_timeline().last = 9;
   for (const char* name : {"a.pc2", "a.mdd"}) {
     const AnimationExport what = animation_export_of(document, folder / name);
     const AnimationReport report = write_animation(what);
@@ -209,12 +210,12 @@ TEST_CASE("far_animations_keep_their_positions_or_state_the_rounding") {
     const double error =
         largest_distance(formats::PointCache(what.model.file).frame(8), exact_positions(what, 9));
     CHECK(error > 0.1);
-    CHECK(error < stated_error(report.summary) * document.cage->diagonal);
+    CHECK(error < stated_error(report.summary) * document.cage()->diagonal);
   }
   const AnimationExport what = animation_export_of(document, folder / "a.glb");
   CHECK(test::mentions(write_animation(what).summary, "error up to 0.0001"));
   const auto read = formats::read(folder / "a.glb");
-  const auto own = file_vertices(read.surface, *document.model.surface);
+  const auto own = file_vertices(read.surface, *document.model().surface);
   const auto clip = read.original->morphs();
   for (const std::size_t key : {std::size_t{0}, clip->seconds().size() - 1})
     CHECK(largest_distance(mesh::picked<mesh::Point>(clip->at_key(key), own),
@@ -242,10 +243,11 @@ TEST_CASE("more_targets_than_are_allowed_are_refused_with_numbers_before_anythin
 
 TEST_CASE("keys_that_hold_jump_and_targets_come_at_every_so_many_frames") {
   test::AnimatedCube cube;
-  for (auto& key : cube.document.timeline.keys) key.easing = Easing::hold;
+  for (auto& key : cube.document.changed_timeline().keys) key.easing = Easing::hold;
   AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
   CHECK(write_animation(what).frames == 5);  // three keys and the frames just before two of the keys
-  cube.document.timeline.keys[0].easing = cube.document.timeline.keys[1].easing = Easing::constant_speed;
+  cube.document.changed_timeline().keys[0].easing = cube.document.changed_timeline().keys[1].easing =
+      Easing::constant_speed;
   what = animation_export_of(cube.document, cube / "a.glb");
   what.step = 2;
   CHECK(write_animation(what).frames == 9);
@@ -261,13 +263,13 @@ TEST_CASE("probes_without_a_cage_move_the_model_in_time") {
   locked.place = {-1, -1, -1};
   locked.locked = true;
   locked.pose.move = {0, 0, 0.25};
-  document.probes.all = {probe, locked};
+  document.changed_probes().all = {probe, locked};
   WholePose moved;
   moved.probes.resize(2);
   moved.probes[0].move = {1, 0, 0};
-  document.timeline.keys = {{1, std::make_shared<const WholePose>()},
-                            {5, std::make_shared<const WholePose>(moved)}};
-  document.timeline.last = 5;
+  document.changed_timeline().keys = {{1, std::make_shared<const WholePose>()},
+                                      {5, std::make_shared<const WholePose>(moved)}};
+  document.changed_timeline().last = 5;
   write_animation(animation_export_of(document, cube / "p.pc2"));
   write_animation(animation_export_of(document, cube / "p_#.ply"));
   const formats::PointCache cache(cube / "p.pc2");
@@ -306,18 +308,18 @@ TEST_CASE("names_that_say_nothing_that_can_be_written_are_refused_with_what_to_d
   CHECK(test::mentions(problem("a_##.pc2"), "remove ####"));
   CHECK(test::mentions(problem("a.xyz"), "unknown extension .xyz"));
   CHECK(test::mentions(problem("none/a.pc2"), "none/a.pc2"));
-  cube.document.timeline.keys.clear();
+  cube.document.changed_timeline().keys.clear();
   CHECK(test::mentions(problem("a.pc2"), "no keys"));
 }
 
 TEST_CASE("an_animation_that_floats_do_not_hold_leaves_nothing") {
   test::AnimatedCube cube;
-  WholePose far = *cube.document.timeline.keys.back().pose;
+  WholePose far = *cube.document.timeline().keys.back().pose;
   for (auto& p : far.cage.positions)
     for (double& x : p) x *= 1e39;  // beyond the range of float
-  cube.document.timeline.keys.push_back({18, test::whole(far.cage), Easing::hold});
-  cube.document.timeline.last = 18;
-  cube.document.timeline.keys[2].easing = Easing::hold;
+  cube.document.changed_timeline().keys.push_back({18, test::whole(far.cage), Easing::hold});
+  cube.document.changed_timeline().last = 18;
+  cube.document.changed_timeline().keys[2].easing = Easing::hold;
   for (const char* name : {"a.pc2", "a.mdd", "a.glb"}) {
     CAPTURE(name);
     test::put_file(cube / name, "older");
@@ -347,8 +349,8 @@ TEST_CASE("an_existing_frame_is_never_overwritten_without_force") {
 
 TEST_CASE("a_cancelled_export_leaves_whole_files_or_none") {
   test::AnimatedCube cube;
-  cube.document.timeline.keys.back().frame = 400;
-  cube.document.timeline.last = 400;
+  cube.document.changed_timeline().keys.back().frame = 400;
+  cube.document.changed_timeline().last = 400;
   const auto before = names_in(cube.path());
   REQUIRE(cancelled_at(0.5, animation_export_of(cube.document, cube / "a.pc2")));
   CHECK(names_in(cube.path()) == before);
@@ -358,5 +360,6 @@ TEST_CASE("a_cancelled_export_leaves_whole_files_or_none") {
   CHECK(files.size() > 50);
   CHECK(files.size() < 400);
   for (const auto& file : files)
-    CHECK(formats::read(file.path).surface.positions.size() == cube.document.model.surface->positions.size());
+    CHECK(formats::read(file.path).surface.positions.size() ==
+          cube.document.model().surface->positions.size());
 }

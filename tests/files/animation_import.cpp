@@ -31,15 +31,15 @@ struct CageMotion : test::AnimatedCube {
     test::MorphAnimation animation;
     for (std::size_t i = 0; i < frames.size(); ++i)
       animation.keys.push_back({static_cast<double>(i) / 24, "frame " + std::to_string(i + 1), frames[i]});
-    const mesh::Surface& cage = document.cage->surface;
+    const mesh::Surface& cage = document.cage()->surface;
     test::write_morphs(file, {cage, cage.positions, {}}, nullptr, animation);
   }
   void write_poses() const {
     for (const int frame : {1, 9, 17})
-      deform::write_pose(*this / ("p_" + std::to_string(frame) + ".obj"), *document.cage, pose(frame).cage);
+      deform::write_pose(*this / ("p_" + std::to_string(frame) + ".obj"), *document.cage(), pose(frame).cage);
   }
   std::vector<PoseKey> keys(const fs::path& file) const {
-    return read_keys(file, *document.cage, {document.timeline.first, document.timeline.rate}).keys;
+    return read_keys(file, *document.cage(), {document.timeline().first, document.timeline().rate}).keys;
   }
   std::string problem(const fs::path& file) const {
     return test::problem_of([&] { keys(file); });
@@ -93,9 +93,9 @@ TEST_CASE("morph_targets_of_a_cage_are_poses_and_their_animation_keys") {
   REQUIRE(keys.size() == 17);
   for (const PoseKey& key : keys) CHECK(farthest(key.pose->cage, m.pose(key.frame).cage) < 1e-5);
   const fs::path file = m / "c.glb";
-  const auto poses = read_poses(std::span(&file, 1), *m.document.cage);
+  const auto poses = read_poses(std::span(&file, 1), *m.document.cage());
   CHECK(poses.warnings.empty());
-  CHECK(read_keys(file, *m.document.cage, {}).warnings.empty());
+  CHECK(read_keys(file, *m.document.cage(), {}).warnings.empty());
   REQUIRE(poses.poses.size() >= 16);  // the rest pose has no target
   CHECK(poses.poses.back().name == "frame 17");
   CHECK(farthest(poses.poses.back().pose->cage, m.pose(17).cage) < 1e-5);
@@ -105,7 +105,7 @@ TEST_CASE("morph_targets_of_a_cage_are_poses_and_their_animation_keys") {
 
 TEST_CASE("stepped_weights_become_held_keys_and_cubic_weights_a_key_at_every_frame") {
   const CageMotion m;
-  const mesh::Surface& cage = m.document.cage->surface;
+  const mesh::Surface& cage = m.document.cage()->surface;
   test::GltfParts parts;
   std::vector<float> positions, up(3 * cage.positions.size(), 0);
   std::vector<std::uint16_t> corners;
@@ -129,7 +129,7 @@ TEST_CASE("stepped_weights_become_held_keys_and_cubic_weights_a_key_at_every_fra
          {"samplers",
           {{{"input", 3}, {"output", *interpolation == 'S' ? 4 : 5}, {"interpolation", interpolation}}}}}};
     test::put_file(m / "c.glb", parts.glb());
-    return read_keys(m / "c.glb", *m.document.cage, {1, 24}).keys;
+    return read_keys(m / "c.glb", *m.document.cage(), {1, 24}).keys;
   };
   const auto stepped = keys("STEP");
   REQUIRE(stepped.size() == 2);
@@ -148,7 +148,7 @@ TEST_CASE("stepped_weights_become_held_keys_and_cubic_weights_a_key_at_every_fra
 TEST_CASE("several_keys_on_one_frame_give_a_warning") {
   const CageMotion m;
   m.write(m / "c.mdd");
-  const ImportedKeys keys = read_keys(m / "c.mdd", *m.document.cage, {1, 12});
+  const ImportedKeys keys = read_keys(m / "c.mdd", *m.document.cage(), {1, 12});
   CHECK(keys.keys.size() == 9);
   REQUIRE(keys.warnings.size() == 1);
   CHECK(test::mentions(keys.warnings[0], "skipped 8 keys because another key has the same frame at 12"));
@@ -158,12 +158,12 @@ TEST_CASE("a_folder_of_posed_cages_is_poses_in_the_order_of_their_numbers") {
   const CageMotion m;
   fs::create_directory(m / "poses");
   for (const int n : {10, 2, 1})
-    deform::write_pose(m / "poses" / ("p_" + std::to_string(n) + ".obj"), *m.document.cage,
-                       test::turned_cage(*m.document.cage, 10 * n));
+    deform::write_pose(m / "poses" / ("p_" + std::to_string(n) + ".obj"), *m.document.cage(),
+                       test::turned_cage(*m.document.cage(), 10 * n));
   fs::copy(m.model, m / "poses" / "no_pose.obj");
   test::put_file(m / "poses" / "notes.txt", "x");
   fs::path folder = m / "poses";
-  ImportedPoses read = read_poses(std::span(&folder, 1), *m.document.cage);
+  ImportedPoses read = read_poses(std::span(&folder, 1), *m.document.cage());
   REQUIRE(read.poses.size() == 3);
   CHECK(read.poses[0].name == "p_1");
   CHECK(read.poses[1].name == "p_2");
@@ -172,9 +172,9 @@ TEST_CASE("a_folder_of_posed_cages_is_poses_in_the_order_of_their_numbers") {
   CHECK(test::mentions(read.warnings.back(), "skipped"));
   fs::create_directory(m / "empty");
   folder = m / "empty";
-  CHECK_THROWS_AS(read_poses(std::span(&folder, 1), *m.document.cage), base::Error);
+  CHECK_THROWS_AS(read_poses(std::span(&folder, 1), *m.document.cage()), base::Error);
   folder = m.model;
-  CHECK_THROWS_AS(read_poses(std::span(&folder, 1), *m.document.cage), base::Error);
+  CHECK_THROWS_AS(read_poses(std::span(&folder, 1), *m.document.cage()), base::Error);
 }
 
 TEST_CASE("poses_and_animations_are_opened_as_edits") {
@@ -184,21 +184,21 @@ TEST_CASE("poses_and_animations_are_opened_as_edits") {
   using What = OpenRequest::What;
   REQUIRE(test::open_now(w, {What::model, {m.model, m.cage}}));
   REQUIRE(test::open_now(w, {What::poses, {m / "p_9.obj", m / "p_17.obj"}}));
-  CHECK(w.document.library.poses.size() == 2);
+  CHECK(w.document.library().poses.size() == 2);
   REQUIRE(test::open_now(w, {What::animation, {m / "p_9.obj"}}));
-  CHECK(w.document.timeline.keys.size() == 3);
-  CHECK(w.document.timeline.first == 1);
-  CHECK(w.document.timeline.last == 17);
+  CHECK(w.document.timeline().keys.size() == 3);
+  CHECK(w.document.timeline().first == 1);
+  CHECK(w.document.timeline().last == 17);
   CHECK_FALSE(test::open_now(w, {What::animation, {m.cage}}));
-  CHECK(w.document.timeline.keys.size() == 3);
+  CHECK(w.document.timeline().keys.size() == 3);
   m.write(m / "dropped.pc2");
   REQUIRE(test::open_now(w, {What::dropped, {m / "dropped.pc2"}}));
-  CHECK(w.document.timeline.keys.size() == 17);
+  CHECK(w.document.timeline().keys.size() == 17);
   undo(w.document);
-  CHECK(w.document.timeline.keys.size() == 3);
+  CHECK(w.document.timeline().keys.size() == 3);
   undo(w.document);
-  CHECK(w.document.timeline.keys.empty());
+  CHECK(w.document.timeline().keys.empty());
   undo(w.document);
-  CHECK(w.document.library.poses.empty());
+  CHECK(w.document.library().poses.empty());
   redo(w.document);
 }

@@ -18,7 +18,7 @@ namespace {
 
 Document posed(const test::CubeFiles& files) {
   Document document = open_document(files.model, files.cage);
-  document.pose.positions[0][0] -= 0.25;
+  document.changed_pose().positions[0][0] -= 0.25;
   return document;
 }
 
@@ -36,10 +36,10 @@ TEST_CASE("a_deformed_model_is_written_in_every_format") {
     CHECK(write_deformed(all, &progress).empty());
     CHECK(progress.done() >= 0.5);
     const auto written = formats::read(files / name).surface;
-    CHECK(written.triangles.size() == document.model.surface->triangles.size());
+    CHECK(written.triangles.size() == document.model().surface->triangles.size());
     if (std::string(name) == "a.stl") continue;
-    CHECK(written.triangles == document.model.surface->triangles);
-    CHECK(written.positions != document.model.surface->positions);
+    CHECK(written.triangles == document.model().surface->triangles);
+    CHECK(written.positions != document.model().surface->positions);
     if (first.empty()) first = written.positions;
     CHECK(written.positions == first);
   }
@@ -73,9 +73,9 @@ TEST_CASE("an_export_is_a_snapshot_at_the_request") {
   Document document = posed(files);
   const Export before = export_of(document, files / "before.ply");
   write_deformed(export_of(document, files / "at_once.ply"));
-  document.pose.positions[0][0] -= 3;
-  document.method = sym3::Method::diag;
-  document.scheme = deform::scheme_of(deform::Way::mean_value);
+  document.changed_pose().positions[0][0] -= 3;
+  document.put_method(sym3::Method::diag);
+  document.put_scheme(deform::scheme_of(deform::Way::mean_value));
   write_deformed(before);
   CHECK(test::file_bytes(files / "before.ply") == test::file_bytes(files / "at_once.ply"));
 }

@@ -57,8 +57,8 @@ TEST_CASE("the_enclosing_one_of_two_dropped_files_is_the_cage_or_else_the_one_wi
   for (const auto& c : cases) {
     Workspace w;
     REQUIRE(drop(w, c.dropped));
-    CHECK(w.document.cage_file.path == c.cage);
-    CHECK(w.document.model.path == c.dropped[c.dropped[0] == c.cage]);
+    CHECK(w.document.cage_file().path == c.cage);
+    CHECK(w.document.model().path == c.dropped[c.dropped[0] == c.cage]);
     CHECK(said(w, c.said));
   }
 }
@@ -115,12 +115,12 @@ TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose_and_as_unsaved
   const test::CubeFiles files;
   for (const bool edited : {false, true}) {
     Workspace w = test::opened({files.model, files.cage});
-    if (edited) w.document.pose.positions[0][0] -= 1;
+    if (edited) w.document.changed_pose().positions[0][0] -= 1;
     REQUIRE(drop(w, {files.pose}));
-    CHECK(w.document.model.path == files.model);
-    CHECK(w.document.pose.positions == test::cube(2).positions);
+    CHECK(w.document.model().path == files.model);
+    CHECK(w.document.pose().positions == test::cube(2).positions);
     CHECK(said(w, "Imported pose.obj as a pose"));
-    CHECK(test::edit_count(w.document.history) == 1);
+    CHECK(test::edit_count(w.document.history()) == 1);
     CHECK(has_unsaved_edits(w) == edited);
   }
 }
@@ -131,8 +131,8 @@ TEST_CASE("a_dropped_surface_around_a_model_without_cage_is_its_cage_and_anythin
   REQUIRE(drop(w, {files.model}));
   CHECK(said(w, "Imported model.obj as a new model"));
   REQUIRE(drop(w, {files.cage}));
-  CHECK(w.document.model.path == files.model);
-  CHECK(w.document.cage_file.path == files.cage);
+  CHECK(w.document.model().path == files.model);
+  CHECK(w.document.cage_file().path == files.cage);
   CHECK(said(w, "Imported cage.obj as the cage"));
   REQUIRE(drop(w, {files.model}));
   CHECK_FALSE(w.document.has_cage());
@@ -145,14 +145,14 @@ TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   Workspace other;
   REQUIRE(drop(other, {files / "a.viete"}));
   CHECK(other.document.has_cage());
-  const auto* surface = other.document.model.surface.get();
+  const auto* surface = other.document.model().surface.get();
   CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
   CHECK(said(other, "3 files dropped, and this file is not a shape of the model"));
   CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
   CHECK_FALSE(drop(other, {}));
   CHECK_FALSE(drop(other, {files.broken}));
   CHECK_FALSE(drop(other, {files.model, files.broken}));
-  CHECK(other.document.model.surface.get() == surface);
+  CHECK(other.document.model().surface.get() == surface);
 }
 
 TEST_CASE("reading_can_be_cancelled_and_says_how_far_it_is") {
@@ -169,8 +169,8 @@ TEST_CASE("reading_can_be_cancelled_and_says_how_far_it_is") {
 TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage, files.pose});
-  CHECK(w.document.pose.positions == test::cube(2).positions);
-  CHECK_FALSE(w.document.history.can_undo());
+  CHECK(w.document.pose().positions == test::cube(2).positions);
+  CHECK_FALSE(w.document.history().can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(test::open_now(w, {What::model, {files.model, {}, files.pose}}));
   CHECK(said(w, "open the cage too"));
@@ -204,7 +204,7 @@ TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_exp
     const bool taken = kind == "cage" ? test::load_cage(w, folder / name) : test::load_pose(w, folder / name);
     CHECK((taken || expect != "load"));
     if (expect == "reject" && name != "cage_open.obj") CHECK_FALSE(taken);
-    if (name == "cage_open.obj") CHECK(w.document.cage->warnings.size() == 1);
+    if (name == "cage_open.obj") CHECK(w.document.cage()->warnings.size() == 1);
   }
   CHECK(entries > 20);
 }
@@ -218,49 +218,49 @@ TEST_CASE(
   REQUIRE(save_session(w, files / "a.viete"));
 
   Workspace as_saved = test::opened({files / "a.viete"});
-  CHECK(as_saved.document.method == sym3::Method::sd);
-  CHECK(as_saved.document.scheme.weighting.radius == 0.3);
+  CHECK(as_saved.document.method() == sym3::Method::sd);
+  CHECK(as_saved.document.scheme().weighting.radius == 0.3);
   CHECK_FALSE(has_unsaved_edits(as_saved));
 
   RequestedSettings asked;
   asked.method = sym3::Method::diag;
   Workspace other_method;
   REQUIRE(test::open_now(other_method, {What::model, {files / "a.viete"}, asked}));
-  CHECK(other_method.document.method == sym3::Method::diag);
+  CHECK(other_method.document.method() == sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(other_method));
 
   asked.choice.blend = deform::Blend::linear;
   Workspace other_blend;
   REQUIRE(test::open_now(other_blend, {What::model, {files / "a.viete"}, asked}));
-  CHECK(other_blend.document.scheme.blend == deform::Blend::linear);
-  CHECK(other_blend.document.scheme.weighting.radius == 0.3);
+  CHECK(other_blend.document.scheme().blend == deform::Blend::linear);
+  CHECK(other_blend.document.scheme().weighting.radius == 0.3);
   CHECK(has_unsaved_edits(other_blend));
 
   asked = {};
   asked.arap = true, asked.iterations = 2;
   Workspace stitched;
   REQUIRE(test::open_now(stitched, {What::model, {files / "a.viete"}, asked}));
-  CHECK(stitched.document.scheme.iterations == 2);
+  CHECK(stitched.document.scheme().iterations == 2);
   CHECK(has_unsaved_edits(stitched));
   asked.choice.weights = deform::Weights::mean_value;
   Workspace refused;
   CHECK_FALSE(test::open_now(refused, {What::model, {files / "a.viete"}, asked}));
-  CHECK_FALSE(refused.document.model.surface);
+  CHECK_FALSE(refused.document.model().surface);
 }
 
 TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
   Document document;
   put_settings(document, {{.rotation = 0.5, .stretch = 2}});
-  CHECK(document.scheme.amounts == deform::Amounts{0.5, 2});
+  CHECK(document.scheme().amounts == deform::Amounts{0.5, 2});
   put_settings(document, {{.stretch = 0}});
-  CHECK(document.scheme.amounts == deform::Amounts{0.5, 0});
+  CHECK(document.scheme().amounts == deform::Amounts{0.5, 0});
   try {
     put_settings(document, {{.choice = {.weights = deform::Weights::mean_value}, .rotation = 1}});
     FAIL("points took a rotation");
   } catch (const base::Error& error) {
     CHECK(error.place() == "rotation");
   }
-  CHECK(document.scheme.amounts == deform::Amounts{0.5, 0});
+  CHECK(document.scheme().amounts == deform::Amounts{0.5, 0});
 }
 
 TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_for") {
@@ -270,20 +270,20 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   set_scheme(w.document, deform::scheme_of(deform::Way::local));
   set_radius(w.document, 0.3);
   REQUIRE(test::open_now(w, {What::model, {files.model, files.cage}}));
-  CHECK(w.document.method == sym3::Method::sd);
-  CHECK(w.document.scheme.weighting.radius == 0.3);
+  CHECK(w.document.method() == sym3::Method::sd);
+  CHECK(w.document.scheme().weighting.radius == 0.3);
   RequestedSettings asked;
   asked.radius = 0.4;
   REQUIRE(test::open_now(w, {What::model, {files.model, files.cage}, asked}));
-  CHECK(w.document.method == sym3::Method::sd);
-  CHECK(w.document.scheme.weighting.radius == 0.4);
+  CHECK(w.document.method() == sym3::Method::sd);
+  CHECK(w.document.scheme().weighting.radius == 0.4);
   CHECK_FALSE(has_unsaved_edits(w));
 }
 
 TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_have_them") {
   const test::CubeFiles files;
   const auto opened = [&](const RequestedSettings& asked, const fs::path& model) {
-    return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme;
+    return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme();
   };
   CHECK(opened({}, files.model) == deform::default_scheme());
   CHECK(text(opened({{.radius = 0.2}}, files.model)) == "cutoff, srl");
@@ -291,7 +291,7 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
                   base::Error);
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
-  CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme) ==
+  CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme()) ==
         "inverse, srl");  // the default if the session has no weights
   test::put_file(
       files / "b.viete",
@@ -332,17 +332,17 @@ TEST_CASE("located_files_take_the_place_of_those_that_a_session_names") {
     CHECK(missing(what, {{}, files / "moved/cage.obj"}) == "model model.obj");
     CHECK(missing(what, {files / "none.obj", {}}) == "model none.obj");
     const Opened beside = open(what, {files / "moved/new.obj", {}});
-    CHECK(beside.document->model.path == files / "moved/new.obj");
-    CHECK(beside.document->cage_file.path == files / "moved/cage.obj");
-    CHECK(beside.document->pose.positions == w.document.pose.positions);
+    CHECK(beside.document->model().path == files / "moved/new.obj");
+    CHECK(beside.document->cage_file().path == files / "moved/cage.obj");
+    CHECK(beside.document->pose().positions == w.document.pose().positions);
     CHECK(beside.warnings.empty());
   }
   fs::rename(files / "moved/cage.obj", files / "moved/grid.obj");
   for (const What what : {What::model, What::recovery}) {
     CHECK(missing(what, {files / "moved/new.obj", {}}) == "cage cage.obj");
     const Opened both = open(what, {files / "moved/new.obj", files / "moved/grid.obj"});
-    CHECK(both.document->cage_file.path == files / "moved/grid.obj");
-    CHECK(both.document->pose.positions == w.document.pose.positions);
+    CHECK(both.document->cage_file().path == files / "moved/grid.obj");
+    CHECK(both.document->pose().positions == w.document.pose().positions);
   }
 }
 
@@ -369,23 +369,23 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
       const Document current = open_document(files.model, {});
       CHECK_THROWS_AS(open_files({what, paths}, current), deform::FinError);
       const Opened opened = open_files({what, paths, {}, {}, true}, current);
-      CHECK(opened.document->cage->surface.positions == plain.positions);
-      CHECK(opened.document->cage->surface.triangles == plain.triangles);
-      CHECK(opened.document->cage->closed);
-      CHECK(opened.document->cage_file.path.empty());
+      CHECK(opened.document->cage()->surface.positions == plain.positions);
+      CHECK(opened.document->cage()->surface.triangles == plain.triangles);
+      CHECK(opened.document->cage()->closed);
+      CHECK(opened.document->cage_file().path.empty());
       CHECK(test::mentions(
           opened.warnings.at(0),
           std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
     }
   }
-  CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, true}, {}).document->cage_file.path ==
+  CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, true}, {}).document->cage_file().path ==
         files.cage);
 }
 
 TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
   test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.selection.select_all(8);
+  w.document.changed_selection().select_all(8);
   save_set(w.document);
   keep_pose(w.document, w.playback.vectors, "stand");
   SUBCASE("in_a_session") {
@@ -404,14 +404,14 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
     REQUIRE(test::open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
     CHECK_FALSE(said(w, "were removed"));
   }
-  CHECK(w.document.groups.sets.empty());
+  CHECK(w.document.groups().sets.empty());
 }
 
 TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   test::add_two_poses(w.document);
-  w.document.timeline = test::three_keys();
+  w.document.changed_timeline() = test::three_keys();
   REQUIRE(save_session(w, files / "loop.viete"));
 
   Workspace own = test::opened({files.model, files.cage});
@@ -422,7 +422,7 @@ TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
   REQUIRE(wish);
   REQUIRE(test::open_now(own, wish->request));
   CHECK(own.playback.playing);
-  CHECK(own.document.library.poses.size() == 2);
+  CHECK(own.document.library().poses.size() == 2);
   CHECK(own.preferences.layout.timeline);
   CHECK(own.files.saved.session.empty());
   CHECK_FALSE(has_unsaved_edits(own));

@@ -27,8 +27,8 @@ namespace {
 Workspace edited(const test::CubeFiles& files) {
   Workspace w = test::opened({files.model, files.cage});
   CHECK_FALSE(has_unsaved_edits(w));
-  w.document.history.record("move", state_of(w.document));
-  w.document.pose.positions[0][0] -= 0.25;
+  w.document.changed_history().record("move", w.document.state());
+  w.document.changed_pose().positions[0][0] -= 0.25;
   CHECK(has_unsaved_edits(w));
   return w;
 }
@@ -55,13 +55,13 @@ TEST_CASE("saving_a_session_or_a_pose_makes_edits_saved_and_undo_makes_them_unsa
 TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.pose.turns = {{0, 3.14159, 0}};
+  w.document.changed_pose().turns = {{0, 3.14159, 0}};
   CHECK_FALSE(has_unsaved_edits(w));
-  w.document.pose.turns = {{0, 1e-9, 0}};
+  w.document.changed_pose().turns = {{0, 1e-9, 0}};
   CHECK_FALSE(has_unsaved_edits(w));
-  w.document.selection.select_all(w.document.pose.positions.size());
+  w.document.changed_selection().select_all(w.document.pose().positions.size());
   transform_selection(w.document, Tool::rotate, test::plain_grip(w.document), {.degrees = 360});
-  CHECK(w.document.pose.positions == w.files.saved.state.pose.positions);
+  CHECK(w.document.pose().positions == w.files.saved.state.pose.positions);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));
   CHECK_FALSE(has_unsaved_edits(w));
@@ -72,7 +72,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
 TEST_CASE("weights_and_radius_are_edits_that_a_session_keeps_and_a_pose_does_not_and_the_method_is_none") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.scheme = deform::scheme_of(deform::Way::local);
+  w.document.put_scheme(deform::scheme_of(deform::Way::local));
   mark_saved(w);
   w.document.put_method(sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(w));
@@ -101,7 +101,7 @@ TEST_CASE("poses_and_cages_are_not_saved_where_their_vertices_would_not_come_bac
   for (const char* name : {"a.stl", "a.glb", "a.gltf"}) CHECK_FALSE(save_cage(w, files / name));
   for (const char* name : {"a.STL", "a.stl", "a.glb", "a.gltf"}) CHECK_FALSE(fs::exists(files / name));
   CHECK(has_unsaved_edits(w));
-  CHECK(w.document.cage_file.path == files.cage);
+  CHECK(w.document.cage_file().path == files.cage);
 }
 
 TEST_CASE("a_failed_save_leaves_file_and_edits_as_they_were") {
@@ -199,13 +199,14 @@ TEST_CASE("saving_overwrites_no_open_file_except_its_own_source") {
   CHECK(save_session(w, files / "s.viete"));
   CHECK(save_session(w, files / "s.viete"));
   CHECK(test::file_bytes(files.model) == model);
-  CHECK(formats::read(files.cage).surface.positions == w.document.cage->surface.positions);
+  CHECK(formats::read(files.cage).surface.positions == w.document.cage()->surface.positions);
 }
 
 TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.cage_file = generated_surface(*w.document.cage_file.surface, "cage.obj, edited");
+  w.document.replace_cage(generated_surface(*w.document.cage_file().surface, "cage.obj, edited"),
+                          w.document.cage(), w.document.pose());
   CHECK_FALSE(save_pose(w, files.cage));  // after an undo, this file could be the cage again
   CHECK(save_cage(w, files.cage));
 }
@@ -270,7 +271,7 @@ TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
   CHECK(proposed("save_model") == "a_deformed-2.obj");
   CHECK(proposed("save_cage") == "a_cage.obj");
   REQUIRE(test::load_model(w, files / "a_cage.obj", files / "a_deformed.obj"));
-  w.document.model.path = files / "way" / ".." / "a.obj";
-  w.document.also_read.push_back({files / "a_cage.obj", the_model});
+  w.document.put_saved_model(files / "way" / ".." / "a.obj");
+  w.document.changed_also_read().push_back({files / "a_cage.obj", the_model});
   CHECK(proposed("save_cage") == "a_cage-2.obj");
 }

@@ -42,20 +42,21 @@ Workspace worked(const test::CubeFiles& files) {
   w.view.viewport = {{1000, 800}, {320, 0}, {680, 774}};
   REQUIRE(test::load_model(w, files.model, files.cage));
   REQUIRE(add_probe(w.document, {}, {1, 1, 1}));
-  Probe& probe = w.document.probes.all[0];
+  Probe& probe = w.document.changed_probes().all[0];
   probe.pose = {{0.1, 0, 1.0 / 3}, {0, 0.5, 0, 0, 0, -1}, {1e-17, 2, 3}};
   probe.turn = {Falloff::sharp, 0.123};
   probe.locked = true;
-  w.document.probes.mix = deform::ProbeMix::softmax;
-  w.document.pose.positions[3] = {0.1, -1.0 / 3, 1e-17};
-  w.document.pose.turns = {{0.1, 6.3, -1e-9}};
-  w.document.selection = Selection(ElementKind::vertex, std::vector<std::uint32_t>{2, 5});
-  w.document.groups = {{0, 7}, {{"left \"arm\"\n", ElementKind::face, {0, 1, 2}}}};
-  w.document.method = sym3::Method::sd;
-  w.document.scheme = deform::scheme_of(deform::Way::mean_value);
-  w.document.scheme.weighting.radius = 0.27;
-  w.document.scheme.amounts = {0.29, 1.75};
-  w.document.scheme.holding = {0.29, 0.07};
+  w.document.changed_probes().mix = deform::ProbeMix::softmax;
+  w.document.changed_pose().positions[3] = {0.1, -1.0 / 3, 1e-17};
+  w.document.changed_pose().turns = {{0.1, 6.3, -1e-9}};
+  w.document.changed_selection() = Selection(ElementKind::vertex, std::vector<std::uint32_t>{2, 5});
+  w.document.changed_groups() = {{0, 7}, {{"left \"arm\"\n", ElementKind::face, {0, 1, 2}}}};
+  w.document.put_method(sym3::Method::sd);
+  deform::Scheme scheme = deform::scheme_of(deform::Way::mean_value);
+  scheme.weighting.radius = 0.27;
+  scheme.amounts = {0.29, 1.75};
+  scheme.holding = {0.29, 0.07};
+  w.document.put_scheme(scheme);
   set_mask(w.document, inverted(w.document), "invert");
   w.view.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f, true, UpAxis::z});
   w.view.options = {.dark = false,
@@ -86,17 +87,17 @@ Workspace worked(const test::CubeFiles& files) {
 // Like worked(), but also has poses, a mix, keys with all easings, and camera keys.
 Workspace animated(const test::CubeFiles& files) {
   Workspace w = worked(files);
-  w.document.selection = Selection(ElementKind::vertex);
-  const deform::ProbePose motion = w.document.probes.all[0].pose;
+  w.document.changed_selection() = Selection(ElementKind::vertex);
+  const deform::ProbePose motion = w.document.probes().all[0].pose;
   test::add_two_poses(w.document);
-  w.document.library.poses[0].name = "n\xC3\xA4mlich \"so\"\n";
-  w.document.library.poses.push_back({"with probe", shared_pose(w.document)});
-  w.document.selection.apply(std::vector<std::uint32_t>{1, 6}, SelectMode::replace);
+  w.document.changed_library().poses[0].name = "n\xC3\xA4mlich \"so\"\n";
+  w.document.changed_library().poses.push_back({"with probe", shared_pose(w.document)});
+  w.document.changed_selection().apply(std::vector<std::uint32_t>{1, 6}, SelectMode::replace);
   set_weight(w.document, w.playback.vectors, 0, 0.29);
-  w.document.selection.clear();
+  w.document.changed_selection().clear();
   set_weight(w.document, w.playback.vectors, 1, -0.5);
-  w.document.timeline = test::three_keys();
-  Timeline& t = w.document.timeline;
+  w.document.changed_timeline() = test::three_keys();
+  Timeline& t = w.document.changed_timeline();
   t.keys[0].easing = Easing::constant_speed;
   t.keys[1].easing = Easing::hold;
   t.keys[1].pose = test::whole(test::turned_cube(540), {motion});
@@ -104,7 +105,7 @@ Workspace animated(const test::CubeFiles& files) {
   t.unkeyed = {test::key(9, test::turned_cube(-30)), {3, test::whole(test::turned_cube(400), {motion})}};
   t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
   t.first = -4, t.last = 90, t.rate = 29.97, t.repeat = Repeat::ping_pong, t.linear = true;
-  w.document.frame = 7.25;
+  w.document.put_frame(7.25);
   return w;
 }
 
@@ -115,37 +116,37 @@ bool same_keys(const std::vector<PoseKey>& a, const std::vector<PoseKey>& b) {
 }
 
 void check_same(const Workspace& a, const Workspace& b) {
-  CHECK(a.document.pose.positions == b.document.pose.positions);
-  CHECK(a.document.pose.turns == b.document.pose.turns);
-  CHECK(a.document.selection == b.document.selection);
-  CHECK(a.document.groups == b.document.groups);
-  CHECK(a.document.method == b.document.method);
-  CHECK(a.document.scheme == b.document.scheme);
-  CHECK(a.document.probes == b.document.probes);
-  CHECK(same_mask(a.document.mask, b.document.mask));
+  CHECK(a.document.pose().positions == b.document.pose().positions);
+  CHECK(a.document.pose().turns == b.document.pose().turns);
+  CHECK(a.document.selection() == b.document.selection());
+  CHECK(a.document.groups() == b.document.groups());
+  CHECK(a.document.method() == b.document.method());
+  CHECK(a.document.scheme() == b.document.scheme());
+  CHECK(a.document.probes() == b.document.probes());
+  CHECK(same_mask(a.document.mask(), b.document.mask()));
   CHECK(a.view.camera.pose() == b.view.camera.pose());
   CHECK(a.view.options == b.view.options);
   CHECK(a.view.handling == b.view.handling);
   CHECK(ways_of(a) == ways_of(b));
   for (std::size_t view = 0; view < a.view.split.count(); ++view)
     CHECK(camera_of(a, view) == camera_of(b, view));
-  CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
-  CHECK(std::ranges::equal(a.document.library.poses, b.document.library.poses,
+  CHECK(a.document.model().surface->positions == b.document.model().surface->positions);
+  CHECK(std::ranges::equal(a.document.library().poses, b.document.library().poses,
                            [](const NamedPose& x, const NamedPose& y) {
                              return *x.pose == *y.pose && x.name == y.name && x.weight == y.weight;
                            }));
-  Timeline s = a.document.timeline, t = b.document.timeline;
+  Timeline s = a.document.timeline(), t = b.document.timeline();
   CHECK(same_keys(s.keys, t.keys));
   CHECK(same_keys(s.unkeyed, t.unkeyed));
   s.keys.clear(), s.unkeyed.clear(), t.keys.clear(), t.unkeyed.clear();
   CHECK(s == t);
-  CHECK(a.document.frame == b.document.frame);
+  CHECK(a.document.frame() == b.document.frame());
 }
 
 std::string refusal(const fs::path& file) {
   Workspace w;
   CHECK_FALSE(test::open_now(w, {OpenRequest::What::model, {file}}));
-  CHECK_FALSE(w.document.model.surface);
+  CHECK_FALSE(w.document.model().surface);
   return w.messages.all().back().text;
 }
 
@@ -194,9 +195,9 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
     CHECK_FALSE(has_unsaved_edits(back));
     back.view.viewport = w.view.viewport;
     CHECK(session_text(session_of(back), files / "a.viete") == test::file_bytes(files / "a.viete"));
-    if (w.document.library.poses.empty()) continue;
+    if (w.document.library().poses.empty()) continue;
     CHECK(clear_mix(back.document, back.playback.vectors));
-    CHECK(back.document.pose.positions != w.document.pose.positions);
+    CHECK(back.document.pose().positions != w.document.pose().positions);
     CHECK(has_unsaved_edits(back));
   }
 }
@@ -268,8 +269,8 @@ TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored") {
   const std::string keys = "\"keys\": [" + key_text("2") + "," + key_text("5") + "]";
   test::put_file(files / "c.viete", with("\"time\": {\"frame\": 5, " + keys + "}"));
   const Workspace keyed = test::opened({files / "c.viete"});
-  CHECK(keyed.document.frame == 5);
-  CHECK(keyed.document.pose.positions == keyed.document.timeline.keys[1].pose->cage.positions);
+  CHECK(keyed.document.frame() == 5);
+  CHECK(keyed.document.pose().positions == keyed.document.timeline().keys[1].pose->cage.positions);
   CHECK_FALSE(has_unsaved_edits(keyed));
 }
 
@@ -384,7 +385,7 @@ TEST_CASE("all_typed_values_and_views_survive_saving") {
   Workspace w = test::opened({files.model, files.cage});
   test::add_two_poses(w.document);
   for (int tenths = -2000; tenths <= 3000; tenths += 493) {
-    w.document.library.poses[0].weight = tenths / 10.0 / 100;
+    w.document.changed_library().poses[0].weight = tenths / 10.0 / 100;
     test::put_file(files / "b.viete", session_text(session_of(w), files / "b.viete"));
     CHECK(read_json(files / "b.viete")["poses"][0].value("weight", 0.0) == tenths / 10.0);
     CHECK(read_session(files / "b.viete").library.poses[0].weight == tenths / 10.0 / 100);
@@ -396,7 +397,7 @@ TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
   Workspace w = test::opened({files.model, files.cage});
   const auto check_kept = [&](const deform::Scheme& scheme) {
     CAPTURE(text(scheme));
-    w.document.scheme = scheme;
+    w.document.put_scheme(scheme);
     test::put_file(files / "a.viete", session_text(session_of(w), files / "a.viete"));
     CHECK(read_session(files / "a.viete").scheme == scheme);
   };
@@ -465,7 +466,7 @@ TEST_CASE("opening_a_session_warns_of_a_changed_model_or_cage") {
 TEST_CASE("a_pose_that_is_cut_short_is_not_blamed_on_the_cage") {
   const test::CubeFiles files;
   Workspace w = worked(files);
-  w.document.pose.positions.pop_back();
+  w.document.changed_pose().positions.pop_back();
   REQUIRE(save_session(w, files / "a.viete"));
   CHECK(mentions(refusal(files / "a.viete"), "use an older copy"));
   formats::write(files.cage, test::cube(1.25));
@@ -504,13 +505,13 @@ TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::tes
     if (!test::open_now(back, {OpenRequest::What::model, {files / "b.viete"}})) {
       ++refused;
       CHECK(mentions(back.messages.all().back().text, "b.viete"));
-      CHECK_FALSE(back.document.model.surface);
+      CHECK_FALSE(back.document.model().surface);
       continue;
     }
     ++opened;
     start_playing(back);
     for (int frame = 0; frame < 5; ++frame) follow_time(back, 0.7);
-    for (std::size_t pose = 0; pose < back.document.library.poses.size(); ++pose)
+    for (std::size_t pose = 0; pose < back.document.library().poses.size(); ++pose)
       set_weight(back.document, back.playback.vectors, pose, 0.5);
     CHECK(in_range(whole_pose(back.document)));
     test::put_file(files / "c.viete", session_text(session_of(back), files / "c.viete"));
@@ -532,25 +533,25 @@ TEST_CASE("names_of_files_and_poses_that_are_not_utf_8_are_saved") {
   for (const fs::path& session : {folder / "s\xff.viete", files / "s.viete"}) {
     REQUIRE(save_session(w, session));
     Workspace back = test::opened({session});
-    CHECK(back.document.model.path.filename() == "m\xff.obj");
-    CHECK(back.document.cage_file.path.filename() == "c\xff.obj");
-    CHECK(back.document.library.poses.at(0).name == "c\xef\xbf\xbd");
+    CHECK(back.document.model().path.filename() == "m\xff.obj");
+    CHECK(back.document.cage_file().path.filename() == "c\xff.obj");
+    CHECK(back.document.library().poses.at(0).name == "c\xef\xbf\xbd");
   }
 }
 
 TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_recovered") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.timeline = test::three_keys();
+  w.document.changed_timeline() = test::three_keys();
   follow_time(w, 0);
   for (const double degrees : {33, 400}) {
     go_to_frame(w, degrees / 10);
     record_edit(w.document, "move");
-    w.document.pose = test::turned_cube(degrees);
+    w.document.changed_pose() = test::turned_cube(degrees);
     follow_time(w, 0);
   }
   go_to_frame(w, 11);
-  const auto keyed = w.document.pose.positions;
+  const auto keyed = w.document.pose().positions;
   REQUIRE(save_session(w, files / "a.viete"));
   CHECK_FALSE(has_unsaved_edits(w));
   test::put_file(files / "left.viete", session_text(session_of(w), files / "left.viete", false));
@@ -562,15 +563,15 @@ TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_rec
                       : test::open_now(again, {OpenRequest::What::model, {files / "a.viete"}}));
     follow_time(again, 0);
     CHECK(has_unsaved_edits(again) == recovered);
-    CHECK(again.document.timeline.keys.size() == 3);
-    if (!recovered) CHECK(again.document.pose.positions == keyed);
+    CHECK(again.document.timeline().keys.size() == 3);
+    if (!recovered) CHECK(again.document.pose().positions == keyed);
     if (!recovered) undo(again.document);
-    CHECK(again.document.pose.positions == test::turned_cube(400).positions);
-    CHECK(again.document.pose.turns == test::turned_cube(400).turns);
-    CHECK(again.document.frame == 40);
+    CHECK(again.document.pose().positions == test::turned_cube(400).positions);
+    CHECK(again.document.pose().turns == test::turned_cube(400).turns);
+    CHECK(again.document.frame() == 40);
     undo(again.document);
-    CHECK(again.document.pose.positions == test::turned_cube(33).positions);
-    CHECK(again.document.timeline.unkeyed.empty());
+    CHECK(again.document.pose().positions == test::turned_cube(33).positions);
+    CHECK(again.document.timeline().unkeyed.empty());
   }
 }
 
@@ -584,8 +585,8 @@ TEST_CASE("another_document_that_is_opened_does_not_play_on") {
   REQUIRE(test::open_now(w, {OpenRequest::What::model, {files / "a.viete"}}));
   CHECK_FALSE(w.playback.playing);
   CHECK(w.playback.auto_key);
-  const auto positions = w.document.pose.positions;
+  const auto positions = w.document.pose().positions;
   follow_time(w, 1);
-  CHECK(w.document.pose.positions == positions);
-  CHECK(w.document.timeline.keys.size() == 3);
+  CHECK(w.document.pose().positions == positions);
+  CHECK(w.document.timeline().keys.size() == 3);
 }

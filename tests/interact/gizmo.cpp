@@ -24,12 +24,12 @@ Camera camera(float yaw = 0.65f, float pitch = 0.32f, float distance = 4, bool o
 
 DragGuides guides(Tool tool, Constraint constraint, const char* typed) {
   Workspace w = test::cube_workspace();
-  w.document.selection.select_all(8);
+  w.document.changed_selection().select_all(8);
   auto& view = w.view;
   TransformDrag drag(w.document, test::plain_grip(w.document), tool, constraint, 1, {700, 390}, view.camera);
   for (; *typed; ++typed) drag.type(*typed);
   drag.update(w.document, {{710, 390}}, view.camera, view.viewport);
-  return drag_guides(drag, w.document.space, view.camera, view.viewport);
+  return drag_guides(drag, w.document.space(), view.camera, view.viewport);
 }
 
 const AxisBall& ball(const AxisWidget& widget, int axis, bool positive) {

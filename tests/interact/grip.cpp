@@ -33,16 +33,14 @@ Document arm() {
       triangles.push_back({b, a + 4, b + 4});
     }
   }
-  document.cage =
-      std::make_shared<const deform::Cage>(deform::make_cage(mesh::from_triangles(points, triangles)));
-  document.pose = deform::rest_pose(*document.cage);
+  test::put_cage(document, mesh::from_triangles(points, triangles));
   return document;
 }
 
 void select(Document& document, std::uint32_t from, std::uint32_t end) {
   std::vector<std::uint32_t> all;
   for (auto v = from; v < end; ++v) all.push_back(v);
-  document.selection.apply(all, SelectMode::replace);
+  document.changed_selection().apply(all, SelectMode::replace);
 }
 
 void check_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-12) {
@@ -97,7 +95,7 @@ TEST_CASE("turning_a_forearm_about_its_joint_leaves_the_elbow_where_it_is") {
   REQUIRE(transform_selection(document, Tool::rotate, grip, quarter_about(grip, 2)));
   glm::dvec3 elbow(0), tip(0);
   for (std::uint32_t k = 0; k < 4; ++k) {
-    const auto &e = document.pose.positions[24 + k], &t = document.pose.positions[36 + k];
+    const auto &e = document.pose().positions[24 + k], &t = document.pose().positions[36 + k];
     elbow += 0.25 * glm::dvec3(e[0], e[1], e[2]);
     tip += 0.25 * glm::dvec3(t[0], t[1], t[2]);
   }
@@ -109,13 +107,13 @@ TEST_CASE("the_active_element_is_what_was_clicked_last") {
   Document document = arm();
   select(document, 24, 40);
   const Camera camera;
-  CHECK_FALSE(document.selection.active());
+  CHECK_FALSE(document.selection().active());
   check_near(anchor_of(document, {.pivot = Pivot::active}, nullptr, camera).center, {7.5, 0, 0});
-  document.selection.apply(std::array{3u}, SelectMode::add);
-  CHECK(document.selection.active() == 3u);
+  document.changed_selection().apply(std::array{3u}, SelectMode::add);
+  CHECK(document.selection().active() == 3u);
   check_near(anchor_of(document, {.pivot = Pivot::active}, nullptr, camera).center, {0, -1, 1});
-  document.selection.apply(std::array{3u}, SelectMode::remove);
-  CHECK_FALSE(document.selection.active());
+  document.changed_selection().apply(std::array{3u}, SelectMode::remove);
+  CHECK_FALSE(document.selection().active());
 }
 
 TEST_CASE("a_placed_point_is_the_pivot_and_the_median_where_none_is_placed") {
@@ -140,39 +138,39 @@ TEST_CASE("axes_are_of_length_1_and_right_handed_whatever_is_asked_for") {
 
 TEST_CASE("in_a_mirror_the_other_side_moves_as_its_image") {
   Document document = arm();
-  const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
+  const auto mirror = mirror_of(*document.cage(), MirrorPlane::z);
   REQUIRE(mirror->unpaired() == 0);
-  document.selection.apply(std::array{37u}, SelectMode::replace);  // at (9, 1, -1); its partner is 38
+  document.changed_selection().apply(std::array{37u},
+                                     SelectMode::replace);  // at (9, 1, -1); its partner is 38
   const Grip grip = grip_of(document, {.mirror = MirrorPlane::z}, &*mirror, Camera());
   CHECK(vertices_of(grip) == std::vector<std::uint32_t>{37, 38});
   REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0.25, 2, -0.5}}));
-  CHECK(document.pose.positions[37] == mesh::Point{9.25, 3, -1.5});
-  CHECK(document.pose.positions[38] == mesh::Point{9.25, 3, 1.5});
+  CHECK(document.pose().positions[37] == mesh::Point{9.25, 3, -1.5});
+  CHECK(document.pose().positions[38] == mesh::Point{9.25, 3, 1.5});
   undo(document);
-  CHECK(document.pose.positions == document.cage->surface.positions);
+  CHECK(document.pose().positions == document.cage()->surface.positions);
 }
 
 TEST_CASE("one_side_leads_if_both_are_selected") {
   Document document = arm();
-  const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
+  const auto mirror = mirror_of(*document.cage(), MirrorPlane::z);
   select(document, 36, 40);
   CHECK(leading_vertices(document, &*mirror).size() == 2);
-  document.selection.apply(std::array{36u}, SelectMode::add);  // the active vertex is at z = -1
+  document.changed_selection().apply(std::array{36u}, SelectMode::add);  // the active vertex is at z = -1
   CHECK(leading_vertices(document, &*mirror) == std::vector<std::uint32_t>{36, 37});
   const Grip grip = grip_of(document, {}, &*mirror, Camera());
   check_near(grip.anchor.center, {9, 0, -1});
   REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0, 0, -1}}));
-  for (std::uint32_t v = 36; v < 40; ++v) CHECK(std::abs(document.pose.positions[v][2]) == 2);
+  for (std::uint32_t v = 36; v < 40; ++v) CHECK(std::abs(document.pose().positions[v][2]) == 2);
 }
 
 TEST_CASE("vertices_on_the_mirror_plane_stay_on_it") {
   Document document = arm();
-  std::vector<mesh::Point> points = document.cage->surface.positions;
+  std::vector<mesh::Point> points = document.cage()->surface.positions;
   for (auto& p : points) p[2] = p[2] > 0 ? 0 : p[2];  // moves half of the vertices to the plane z = 0
-  mesh::Surface surface = document.cage->surface;
+  mesh::Surface surface = document.cage()->surface;
   surface.positions = points;
-  document.cage = std::make_shared<const deform::Cage>(deform::make_cage(surface));
-  document.pose = deform::rest_pose(*document.cage);
+  test::put_cage(document, surface);
   const Mirror mirror{{{0, 0, 1}, 0}, [] {
                         std::vector<std::uint32_t> partners(40, Mirror::none);
                         for (std::uint32_t v = 0; v < 40; ++v) partners[v] = v % 4 >= 2 ? v : Mirror::none;
@@ -181,28 +179,28 @@ TEST_CASE("vertices_on_the_mirror_plane_stay_on_it") {
   select(document, 36, 40);
   const Grip grip = grip_of(document, {}, &mirror, Camera());
   REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0.5, 0.5, 3}}));
-  CHECK(document.pose.positions[38] == mesh::Point{9.5, 1.5, 0});
-  CHECK(document.pose.positions[36] == mesh::Point{9.5, -0.5, 2});
+  CHECK(document.pose().positions[38] == mesh::Point{9.5, 1.5, 0});
+  CHECK(document.pose().positions[36] == mesh::Point{9.5, -0.5, 2});
 }
 
 TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   Document document = arm();
   select(document, 36, 40);
   Handling handling;
-  handling.soft = {.on = true, .radius = 4 / document.space.diagonal(), .curve = SoftCurve::linear};
+  handling.soft = {.on = true, .radius = 4 / document.space().diagonal(), .curve = SoftCurve::linear};
   const Grip grip = grip_of(document, handling, nullptr, Camera());
   CHECK(grip.vertices.size() == 16);  // rings 6 to 9
   REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0, 0, 2}}));
-  CHECK(document.pose.positions[36][2] == doctest::Approx(1));
-  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // -1 + 0.75 * 2
-  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // -1 + 0.25 * 2
-  CHECK(document.pose.positions[20][2] == -1);
+  CHECK(document.pose().positions[36][2] == doctest::Approx(1));
+  CHECK(document.pose().positions[32][2] == doctest::Approx(0.5));   // -1 + 0.75 * 2
+  CHECK(document.pose().positions[24][2] == doctest::Approx(-0.5));  // -1 + 0.25 * 2
+  CHECK(document.pose().positions[20][2] == -1);
   undo(document);
   const Grip turning = grip_of(document, handling, nullptr, Camera());
   REQUIRE(transform_selection(document, Tool::rotate, turning, quarter_about(turning, 0)));
   // Ring 7 rotates by 45 degrees: the point (y, z) = (-1, -1) moves to (0, -sqrt 2).
-  CHECK(document.pose.positions[28][1] == doctest::Approx(0).epsilon(1e-12));
-  CHECK(document.pose.positions[28][2] == doctest::Approx(-std::sqrt(2)));
+  CHECK(document.pose().positions[28][1] == doctest::Approx(0).epsilon(1e-12));
+  CHECK(document.pose().positions[28][2] == doctest::Approx(-std::sqrt(2)));
 }
 
 TEST_CASE("shares_are_1_at_the_selection_0_at_the_radius_and_fall_between") {

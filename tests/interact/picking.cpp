@@ -15,7 +15,7 @@ namespace {
 
 Workspace front_cube(ElementKind kind) {
   Workspace w = test::cube_workspace();
-  w.document.selection = Selection(kind);
+  w.document.changed_selection() = Selection(kind);
   w.view.camera.look(StandardView::front);
   w.view.camera.animate(1);
   return w;
@@ -31,11 +31,11 @@ std::optional<std::uint32_t> pick_index(const Workspace& w, const glm::vec2& cur
 }
 
 glm::vec2 pixel(const Workspace& w, const mesh::Point& p) {
-  return glm::vec2(*Projector(w.document.space, w.view.camera, w.view.viewport)(p));
+  return glm::vec2(*Projector(w.document.space(), w.view.camera, w.view.viewport)(p));
 }
 
 bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) {
-  return w.document.cage->edges[index] == edge;
+  return w.document.cage()->edges[index] == edge;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) {
 TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels_or_by_a_box") {
   const Workspace w = test::cube_workspace();
   for (std::uint32_t i = 0; i < 8; ++i) {
-    const glm::vec2 at = pixel(w, w.document.pose.positions[i]);
+    const glm::vec2 at = pixel(w, w.document.pose().positions[i]);
     CHECK(pick_index(w, at) == i);
     CHECK(pick_index(w, at + glm::vec2(0, 7.5f)) == i);
     CHECK_FALSE(pick_index(w, at + glm::vec2(0, 8.5f)));
@@ -60,24 +60,24 @@ TEST_CASE("the_nearer_of_two_vertices_on_one_pixel_is_picked") {
   pose.distance = 900;
   w.view.camera.set_pose(pose);
   const mesh::Point back{0, 0, -1}, front{0, 0, 1};
-  w.document.pose.positions.assign(8, back);
-  w.document.pose.positions[5] = front;  // less than 2 pixels from the other vertices
+  w.document.changed_pose().positions.assign(8, back);
+  w.document.changed_pose().positions[5] = front;  // less than 2 pixels from the other vertices
   for (const auto& p : {back, front}) CHECK(pick_index(w, pixel(w, p)) == 5u);
 }
 
 TEST_CASE("points_behind_the_camera_are_never_picked") {
   Workspace w = test::cube_workspace();
-  const double s = w.document.space.scale;
+  const double s = w.document.space().scale;
   auto& camera = w.view.camera;
   const auto along = [&](float way) {
     const glm::vec3 p = camera.eye() + way * camera.forward();
     return mesh::Point{p.x / s, p.y / s, p.z / s};
   };
   const glm::vec2 middle = pixel(w, along(3));
-  for (auto& p : w.document.pose.positions) p = along(3);
+  for (auto& p : w.document.changed_pose().positions) p = along(3);
   CHECK(pick_index(w, middle));
-  for (auto& p : w.document.pose.positions) p = along(-3);
-  const Projector project(w.document.space, camera, w.view.viewport);
+  for (auto& p : w.document.changed_pose().positions) p = along(-3);
+  const Projector project(w.document.space(), camera, w.view.viewport);
   CHECK_FALSE(project(along(-3)));
   CHECK_FALSE(pick_index(w, middle));
   CHECK(pick_elements_in_box(w.document, camera, w.view.viewport, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
@@ -95,7 +95,7 @@ TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front
     }
     CHECK_FALSE(pick(w, middle + glm::vec2(0, -8.5f)));
     CHECK(pick(w, middle)->depth ==
-          doctest::Approx(w.view.camera.depth(w.document.space.to_view({0, 1.5, 1.5}))));
+          doctest::Approx(w.view.camera.depth(w.document.space().to_view({0, 1.5, 1.5}))));
   }
 }
 
@@ -135,10 +135,10 @@ TEST_CASE("a_box_picks_edges_and_faces_that_lie_wholly_inside") {
   bool front = false;
   for (const auto e : in_box()) front |= has(w, e, {6, 7});
   CHECK(front);
-  w.document.selection = Selection(ElementKind::face);
+  w.document.changed_selection() = Selection(ElementKind::face);
   for (const auto f : in_box())
-    for (const auto v : element_vertices(*w.document.cage, ElementKind::face, f))
-      CHECK(w.document.pose.positions[v][1] == 1.5);
+    for (const auto v : element_vertices(*w.document.cage(), ElementKind::face, f))
+      CHECK(w.document.pose().positions[v][1] == 1.5);
   CHECK(pick_elements_in_box(w.document, w.view.camera, w.view.viewport, {0, 0}, {1000, 800}).size() == 12);
   CHECK(pick_elements_in_box({}, w.view.camera, w.view.viewport, {0, 0}, {1000, 800}).empty());
 }

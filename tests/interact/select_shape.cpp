@@ -25,11 +25,11 @@ struct Hand : test::Mouse {
   // Returns the vertex that is nearest to the eye.
   std::uint32_t front() const {
     std::uint32_t best = 0;
-    for (std::uint32_t v = 0; v < w.document.pose.positions.size(); ++v)
+    for (std::uint32_t v = 0; v < w.document.pose().positions.size(); ++v)
       if (seen(v).z < seen(best).z) best = v;
     return best;
   }
-  std::size_t selected() const { return w.document.selection.size(); }
+  std::size_t selected() const { return w.document.selection().size(); }
 };
 
 constexpr glm::vec2 middle{600, 390};
@@ -51,7 +51,7 @@ TEST_CASE("a_self_intersecting_line_encloses_points_by_winding_number") {
 
 TEST_CASE("over_a_dense_cage_a_drag_draws_a_box_and_tears_nothing_out") {
   Hand hand(test::ball_workspace());
-  REQUIRE(hand.w.document.pose.positions.size() == 2562);
+  REQUIRE(hand.w.document.pose().positions.size() == 2562);
   const glm::vec2 at = hand.vertex(hand.front());
   hand.move(at);
   CHECK(hand.w.view.interaction.hovered);
@@ -84,9 +84,9 @@ TEST_CASE("over_a_dense_cage_a_selected_vertex_is_dragged_and_from_near_any_is")
   undo(hand.w.document);
 
   Hand near(test::ball_workspace());
-  near.w.document.selection.apply(std::array{v}, SelectMode::replace);
+  near.w.document.changed_selection().apply(std::array{v}, SelectMode::replace);
   frame_selection(near.w, false);
-  near.w.document.selection.clear();
+  near.w.document.changed_selection().clear();
   near.drag(near.vertex(v), near.vertex(v) + glm::vec2(40, 0));
   CHECK(differs_from_rest(near.w.document));
 }
@@ -109,7 +109,7 @@ TEST_CASE("an_armed_box_begins_on_a_vertex_and_on_the_gizmo_and_esc_puts_it_away
   CHECK_FALSE(hand.w.view.interaction.armed);
   CHECK(test::run_command(hand.w, "select_box"));
   hand.click(hand.vertex(3));
-  CHECK(hand.w.document.selection.contains(3));
+  CHECK(hand.w.document.selection().contains(3));
   CHECK_FALSE(hand.w.view.interaction.armed);
 }
 
@@ -132,9 +132,9 @@ TEST_CASE("a_lasso_selects_its_content_and_esc_cancels_it") {
   round(80);
   hand.release();
   CHECK_FALSE(hand.w.view.interaction.lasso);
-  const Projector project(hand.w.document.space, hand.w.view.camera, hand.w.view.viewport);
+  const Projector project(hand.w.document.space(), hand.w.view.camera, hand.w.view.viewport);
   std::size_t inside = 0;
-  for (const auto& p : hand.w.document.pose.positions)
+  for (const auto& p : hand.w.document.pose().positions)
     inside += glm::distance(glm::vec2(*project(p)), middle) < 77;
   CHECK(inside > 50);
   CHECK(hand.selected() >= inside);
@@ -163,13 +163,13 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
   CHECK(hand.selected() < painted);
   CHECK(hand.selected() > 0);
   hand.input.ctrl = false;
-  const Selection before = hand.w.document.selection;
+  const Selection before = hand.w.document.selection();
   hand.begin(middle, middle + glm::vec2(0, 100));
-  CHECK(hand.w.document.selection != before);
+  CHECK(hand.w.document.selection() != before);
   CHECK_FALSE(test::run_command(hand.w, "select_none"));
   hand.press_escape();
   hand.release();
-  CHECK(hand.w.document.selection == before);
+  CHECK(hand.w.document.selection() == before);
   CHECK(test::run_command(hand.w, "stop_selecting"));
   hand.w.view.tool = Tool::select;
   hand.move(hand.vertex(hand.front()));
@@ -179,7 +179,7 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
 
 TEST_CASE("a_brush_selects_the_face_under_its_center") {
   Hand hand(test::cube_workspace());
-  hand.w.document.selection = Selection(ElementKind::face);
+  hand.w.document.changed_selection() = Selection(ElementKind::face);
   CHECK(test::run_command(hand.w, "select_brush"));
   hand.w.view.interaction.select_radius = 5;
   hand.click((3.0f * hand.vertex(4) + hand.vertex(5) + hand.vertex(6)) / 5.0f);
@@ -201,10 +201,10 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
     // Does not test elements near the silhouette.
     const glm::vec3 eye = hand.w.view.camera.eye();
     for (std::uint32_t i = 0; i < element_count(hand.w.document, kind); ++i) {
-      const glm::vec3 p = hand.w.document.space.to_view(element_middle(hand.w.document, kind, i));
+      const glm::vec3 p = hand.w.document.space().to_view(element_middle(hand.w.document, kind, i));
       const float facing = glm::dot(glm::normalize(p), glm::normalize(eye - p));
-      if (facing > 0.15f) CHECK(hand.w.document.selection.contains(i));
-      if (facing < -0.15f) CHECK_FALSE(hand.w.document.selection.contains(i));
+      if (facing > 0.15f) CHECK(hand.w.document.selection().contains(i));
+      if (facing < -0.15f) CHECK_FALSE(hand.w.document.selection().contains(i));
     }
   }
 }

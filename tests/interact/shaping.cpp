@@ -29,7 +29,7 @@ void check_point(const mesh::Point& p, const mesh::Point& q) {
 }
 
 void shape_cube(Document& document, Shape shape, double amount) {
-  document.selection.select_all(8);
+  document.changed_selection().select_all(8);
   Grip grip = test::plain_grip(document);
   grip.shaping = shaping_of(document, shape, grip, true, Camera());
   REQUIRE(grip.shaping.shape == shape);
@@ -78,26 +78,26 @@ TEST_CASE("a_tapered_bar_is_as_thick_as_asked_for_at_its_end") {
 
 TEST_CASE("smoothing_a_cube_makes_it_smaller_and_relaxing_brings_it_back_to_rest") {
   Document document = test::cube_document();
-  const auto rest = document.pose.positions;
+  const auto rest = document.pose().positions;
   shape_cube(document, Shape::smooth, 0.5);
-  CHECK(mesh::bounds(document.pose.positions).diagonal() < 0.9 * mesh::bounds(rest).diagonal());
+  CHECK(mesh::bounds(document.pose().positions).diagonal() < 0.9 * mesh::bounds(rest).diagonal());
   shape_cube(document, Shape::relax, 1);
-  for (std::size_t v = 0; v < 8; ++v) check_point(document.pose.positions[v], rest[v]);
+  for (std::size_t v = 0; v < 8; ++v) check_point(document.pose().positions[v], rest[v]);
 }
 
 TEST_CASE("twisting_a_whole_cube_by_two_turns_is_undone_to_the_bit") {
   Document document = test::cube_document();
-  const DocumentState before = state_of(document);
+  const DocumentState before = document.state();
   shape_cube(document, Shape::twist, 720);
-  CHECK(document.pose.positions != before.pose.positions);
+  CHECK(document.pose().positions != before.pose.positions);
   undo(document);
-  CHECK(document.pose.positions == before.pose.positions);
-  CHECK(document.pose.turns == before.pose.turns);
+  CHECK(document.pose().positions == before.pose.positions);
+  CHECK(document.pose().turns == before.pose.turns);
 }
 
 TEST_CASE("one_vertex_has_no_two_ends") {
   Document document = test::cube_document();
-  document.selection.select_all(1);
+  document.changed_selection().select_all(1);
   const Grip grip = test::plain_grip(document);
   CHECK(shaping_of(document, Shape::bend, grip, true, Camera()).shape == Shape::none);
   CHECK(shaping_of(document, Shape::smooth, grip, true, Camera()).shape == Shape::smooth);

@@ -29,14 +29,14 @@ struct Drag {
   Drag(Tool tool, Constraint constraint, glm::vec2 from_center, bool orthographic = false) {
     w.view.camera.set_orthographic(orthographic);
     const std::uint32_t two[] = {6, 7};
-    w.document.selection.apply(two, SelectMode::replace);
+    w.document.changed_selection().apply(two, SelectMode::replace);
     input.cursor = center() + from_center;
     drag.emplace(w.document, test::plain_grip(w.document), tool, constraint,
                  w.view.camera.depth(view_center()), input.cursor, w.view.camera);
   }
   glm::vec3 view_center() const {
     const glm::dvec3 c = test::selection_center(w.document);
-    return w.document.space.to_view({c.x, c.y, c.z});
+    return w.document.space().to_view({c.x, c.y, c.z});
   }
   glm::vec2 center() const {
     return glm::vec2(CursorProjection(glm::dvec3(view_center()), w.view.camera, w.view.viewport).at());
@@ -48,7 +48,7 @@ struct Drag {
     update();
   }
   mesh::Point moved(std::uint32_t v) const {
-    return w.document.pose.positions[v] - w.document.cage->surface.positions[v];
+    return w.document.pose().positions[v] - w.document.cage()->surface.positions[v];
   }
 };
 
@@ -72,30 +72,30 @@ NumberEntry typed(const char* text) {
 
 TEST_CASE("updates_do_not_accumulate") {
   Drag d(Tool::move, {}, {0, 0});
-  const auto rest = d.w.document.pose.positions;
+  const auto rest = d.w.document.pose().positions;
   const glm::vec2 press = d.input.cursor;
   for (int i = 0; i < 1000; ++i) d.move({static_cast<float>(i % 37) - 18, static_cast<float>(i % 11) - 5});
   d.input.cursor = press;
   d.update();
-  CHECK(d.w.document.pose.positions == rest);
+  CHECK(d.w.document.pose().positions == rest);
   d.drag->commit(d.w.document);
-  CHECK_FALSE(d.w.document.history.can_undo());
+  CHECK_FALSE(d.w.document.history().can_undo());
 }
 
 TEST_CASE("cancelling_brings_positions_turns_and_selection_back") {
   Drag d(Tool::move, {}, {0, 0});
-  d.w.document.pose.turns = {{1, 2, 3}};
+  d.w.document.changed_pose().turns = {{1, 2, 3}};
   d.drag.emplace(d.w.document, test::plain_grip(d.w.document), Tool::rotate, Constraint{}, 1, d.input.cursor,
                  d.w.view.camera);
-  const auto before = d.w.document.pose;
+  const auto before = d.w.document.pose();
   d.type("77");
-  CHECK(d.w.document.pose.positions != before.positions);
-  d.w.document.pose.turns = {{9, 9, 9}};
-  d.w.document.selection.clear();
+  CHECK(d.w.document.pose().positions != before.positions);
+  d.w.document.changed_pose().turns = {{9, 9, 9}};
+  d.w.document.changed_selection().clear();
   d.drag->cancel(d.w.document);
-  CHECK(d.w.document.pose.positions == before.positions);
-  CHECK(d.w.document.pose.turns == before.turns);
-  CHECK(d.w.document.selection.size() == 2);
+  CHECK(d.w.document.pose().positions == before.positions);
+  CHECK(d.w.document.pose().turns == before.turns);
+  CHECK(d.w.document.selection().size() == 2);
 }
 
 TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
@@ -133,7 +133,7 @@ TEST_CASE("a_plane_move_stays_in_its_plane_and_under_the_cursor") {
 
 TEST_CASE("going_round_and_back_is_as_it_was") {
   Drag d(Tool::rotate, {Kind::axis, 1}, {100, 0});
-  const auto rest = d.w.document.pose.positions;
+  const auto rest = d.w.document.pose().positions;
   const glm::vec2 center = d.center();
   for (int i = -72; i <= 72; ++i) {
     const double a = (72 - std::abs(i)) * pi / 18;  // two turns forward, then two turns back
@@ -144,7 +144,7 @@ TEST_CASE("going_round_and_back_is_as_it_was") {
   CHECK(std::abs(d.drag->transform().degrees) < 1e-9);
   for (std::size_t v = 0; v < rest.size(); ++v) {
     for (int i = 0; i < 3; ++i)
-      CHECK(d.w.document.pose.positions[v][i] == doctest::Approx(rest[v][i]).epsilon(1e-12));
+      CHECK(d.w.document.pose().positions[v][i] == doctest::Approx(rest[v][i]).epsilon(1e-12));
   }
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("ctrl_snaps_to_15_degrees_a_tenth_of_scale_and_a_tenth_of_a_cell") {
   Drag move(Tool::move, {Kind::axis, 0}, {0, 0});
   move.input.snap = true;
   move.move({37, 0});
-  const double tenths = move.moved(6)[0] / (0.1 * grid_cell(move.w.document.space.diagonal()));
+  const double tenths = move.moved(6)[0] / (0.1 * grid_cell(move.w.document.space().diagonal()));
   CHECK(std::abs(tenths) > 1);
   CHECK(tenths == doctest::Approx(std::round(tenths)).epsilon(1e-12));
 }
@@ -210,15 +210,15 @@ TEST_CASE("capitals_constrain_to_the_plane_across_and_for_a_turn_mean_its_normal
 TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   Drag d(Tool::rotate, {}, {100, 0});
   d.drag->cancel(d.w.document);
-  d.w.document.selection.select_all(8);
+  d.w.document.changed_selection().select_all(8);
   d.drag.emplace(d.w.document, test::plain_grip(d.w.document), Tool::rotate, Constraint{Kind::axis, 1}, 1,
                  d.input.cursor, d.w.view.camera);
   for (const char* key : {"4", "0", "0"}) d.type(key);
-  CHECK(d.w.document.pose.turns[0][1] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
+  CHECK(d.w.document.pose().turns[0][1] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
   d.drag->type('x');  // with another axis, turns are counted from 0
   d.update();
-  CHECK(d.w.document.pose.turns[0][0] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
-  CHECK(std::abs(d.w.document.pose.turns[0][1]) < 1e-9);
+  CHECK(d.w.document.pose().turns[0][0] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
+  CHECK(std::abs(d.w.document.pose().turns[0][1]) < 1e-9);
 }
 
 TEST_CASE("an_axis_scale_follows_its_handle_and_scales_nothing_else") {

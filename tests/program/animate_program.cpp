@@ -20,7 +20,7 @@ namespace {
 struct AnimatedFiles : AnimatedCube {
   AnimatedFiles() {
     for (const int frame : {1, 9, 17}) {
-      mesh::Surface posed = *document.cage_file.surface;
+      mesh::Surface posed = *document.cage_file().surface;
       posed.positions = AnimatedCube::pose(frame).cage.positions;
       formats::write(*this / (frame < 10 ? "p_0" + std::to_string(frame) + ".obj" : "p_17.obj"), posed);
     }

@@ -76,7 +76,8 @@ TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
 
 TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes") {
   const ShapeFiles f;
-  CHECK(mentions(f.done("between s_#.obj -o 'f_##.ply'"), "f_##.ply: 25 frames, deformed in double precision"));
+  CHECK(
+      mentions(f.done("between s_#.obj -o 'f_##.ply'"), "f_##.ply: 25 frames, deformed in double precision"));
   CHECK(base::NumberedName(f / "f_##.ply").find().size() == 25);
   for (const std::string name : {"c.pc2", "c.mdd"}) {
     f.done("between rest.obj a.obj b.obj -o " + name + " --frames 9 --rate 12");
@@ -244,9 +245,9 @@ TEST_CASE("a_session_with_shapes_is_deformed_animated_and_drawn_as_the_window_ha
   REQUIRE(document::set_weight(w.document, w.playback.vectors, 0, 0));
   workspace::find_command("set_key")->run(w);
   workspace::apply_pose(w, 0);
-  w.document.frame = 11;
+  w.document.put_frame(11);
   workspace::find_command("set_key")->run(w);
-  REQUIRE(w.document.timeline.keys.size() == 2);
+  REQUIRE(w.document.timeline().keys.size() == 2);
   REQUIRE(workspace::save_session(w, f / "keyed.viete"));
   f.done("animate keyed.viete -o 'k_##.obj' --frames 1-11");
   CHECK(f.read("k_01.obj") == f.cube.positions);

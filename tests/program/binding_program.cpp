@@ -42,14 +42,14 @@ struct Bound : Driver {
 
 TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   Bound d;
-  const auto* cage = d.document().cage.get();
+  const auto* cage = d.document().cage().get();
   const auto before = d.positions();
   d.open_ball(3, [&] {
     REQUIRE(d.workspace().jobs.loading.running);
     d.press_key(workspace::Key::escape);
   });
-  CHECK(d.document().cage.get() == cage);
-  CHECK(test::edit_count(d.document().history) == 1);
+  CHECK(d.document().cage().get() == cage);
+  CHECK(test::edit_count(d.document().history()) == 1);
   CHECK(d.positions() == before);
   CHECK(d.workspace().messages.all().back().text.starts_with("Cancelled "));
 }
@@ -66,7 +66,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   CHECK(moved != before);
   d.press_key(workspace::Key::escape);
   CHECK_FALSE(d.workspace().jobs.binding.running);
-  CHECK(d.document().scheme.weighting.weights == deform::Weights::inverse);
+  CHECK(d.document().scheme().weighting.weights == deform::Weights::inverse);
   CHECK(d.positions() == moved);
   test::run_command(d.workspace(), "weights_mean_value");
   d.settle();

@@ -45,12 +45,12 @@ struct Maker : Driver {
   std::shared_ptr<const deform::Cage> preview() {
     click("make_cage");
     REQUIRE(until([&] { return document().has_cage(); }));
-    return document().cage;
+    return document().cage();
   }
   void check_encloses() {
-    const auto& cage = document().cage->surface;
-    CHECK(document().cage->closed);
-    CHECK(mesh::points_outside(cage, document().model.surface->positions).empty());
+    const auto& cage = document().cage()->surface;
+    CHECK(document().cage()->closed);
+    CHECK(mesh::points_outside(cage, document().model().surface->positions).empty());
   }
   void pull_vertex() {
     const auto v = free_vertex();
@@ -69,9 +69,9 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
     d.settle();
     const auto& v = d.workspace().view.viewport;
     const auto lowest = [&] {
-      const interact::Projector project(d.document().space, d.workspace().view.camera, v);
+      const interact::Projector project(d.document().space(), d.workspace().view.camera, v);
       float y = 0;
-      for (const auto& p : d.document().model.surface->positions) y = std::max(y, project(p)->y);
+      for (const auto& p : d.document().model().surface->positions) y = std::max(y, project(p)->y);
       return y;
     };
     const float bottom = v.origin.y + v.size.y, offer = bottom - workspace::offer_height(d.workspace());
@@ -95,15 +95,15 @@ TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   Maker d;
   d.make();
   d.check_encloses();
-  CHECK(d.document().cage->element_count() == 200);
-  CHECK(test::edit_count(d.document().history) == 1);
+  CHECK(d.document().cage()->element_count() == 200);
+  CHECK(test::edit_count(d.document().history()) == 1);
   CHECK_FALSE(d.viewer().recorder().find("hide_cage_offer"));
   d.click("finish_cage");
   CHECK_FALSE(d.workspace().making.open);
   d.pull_vertex();
   CHECK(d.drawn_error() < 2e-5);
-  const auto posed = d.document().pose.positions;
-  const auto cage = d.document().cage;
+  const auto posed = d.document().pose().positions;
+  const auto cage = d.document().cage();
   d.press_key('Z', true);
   d.press_key('Z', true);
   CHECK_FALSE(d.document().has_cage());
@@ -114,8 +114,8 @@ TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   d.frame(2);
   d.viewer().finish_binding();
   d.frame(2);
-  CHECK(d.document().cage == cage);
-  CHECK(d.document().pose.positions == posed);
+  CHECK(d.document().cage() == cage);
+  CHECK(d.document().pose().positions == posed);
   CHECK(d.drawn_error() < 2e-5);
 }
 
@@ -124,17 +124,17 @@ TEST_CASE("cage_sliders_change_the_same_edit_and_cancel_undoes_it") {
   d.make();
   d.workspace().making.wish.triangles = 60;
   d.finish();
-  CHECK(d.document().cage->element_count() <= 60);
+  CHECK(d.document().cage()->element_count() <= 60);
   d.check_encloses();
   d.choose("cage_kind", "cage_kind_box");
   d.finish();
-  CHECK(d.document().cage->surface.positions.size() == 8);
+  CHECK(d.document().cage()->surface.positions.size() == 8);
   d.check_encloses();
-  CHECK(test::edit_count(d.document().history) == 1);
+  CHECK(test::edit_count(d.document().history()) == 1);
   d.click("cancel_cage");
   d.frame(2);
   CHECK_FALSE(d.document().has_cage());
-  CHECK_FALSE(d.document().history.can_undo());
+  CHECK_FALSE(d.document().history().can_undo());
 }
 
 TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_posed_or_undone") {
@@ -158,35 +158,35 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
     d.press_key('Z', true);
     d.finish();
     CHECK_FALSE(d.document().has_cage());
-    CHECK(d.document().history.can_redo());
+    CHECK(d.document().history().can_redo());
     return;
   }
   d.finish_making();
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
-  CHECK((d.document().cage == preview) == stays);
+  CHECK((d.document().cage() == preview) == stays);
   if (stays) CHECK(test::mentions(d.last_message(), "The preview of the cage was kept"));
 }
 
 TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   Driver d;
   d.open_dragon("pose_alert");
-  const auto cage = d.document().cage;
-  const auto pose = d.document().pose.positions;
+  const auto cage = d.document().cage();
+  const auto pose = d.document().pose().positions;
   workspace::find_command("set_key")->run(d.workspace());
   d.click("make_cage");
   d.finish_making();
   d.frame(3);
-  CHECK(d.document().cage != cage);
-  CHECK(d.document().cage_file.path.empty());
+  CHECK(d.document().cage() != cage);
+  CHECK(d.document().cage_file().path.empty());
   CHECK(d.viewer().recorder().find("making_lost"));  // the key no longer exists
   d.press_key('Z', true);
   d.frame(2);
-  CHECK(d.document().timeline.keys.size() == 1);
+  CHECK(d.document().timeline().keys.size() == 1);
   CHECK_FALSE(d.viewer().recorder().find("making_lost"));
-  CHECK(d.document().cage == cage);
-  CHECK(d.document().pose.positions == pose);
-  CHECK_FALSE(d.document().cage_file.path.empty());
+  CHECK(d.document().cage() == cage);
+  CHECK(d.document().pose().positions == pose);
+  CHECK_FALSE(d.document().cage_file().path.empty());
 }
 
 TEST_CASE("a_generated_cage_is_unsaved_until_a_session_stores_it") {
@@ -198,15 +198,15 @@ TEST_CASE("a_generated_cage_is_unsaved_until_a_session_stores_it") {
   CHECK(workspace::has_unsaved_edits(d.workspace()));
   REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
   CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
-  const auto rest = d.document().cage->surface;
-  const auto pose = d.document().pose.positions;
+  const auto rest = d.document().cage()->surface;
+  const auto pose = d.document().pose().positions;
   REQUIRE(workspace::save_cage(d.workspace(), folder / "cage.obj"));
   CHECK(formats::read(folder / "cage.obj").surface.positions == rest.positions);
   REQUIRE(d.open({folder / "a.viete"}));
   d.settle();
-  CHECK(d.document().cage->surface.positions == rest.positions);
-  CHECK(d.document().cage->surface.corners == rest.corners);
-  CHECK(d.document().pose.positions == pose);
+  CHECK(d.document().cage()->surface.positions == rest.positions);
+  CHECK(d.document().cage()->surface.corners == rest.corners);
+  CHECK(d.document().pose().positions == pose);
   CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
   CHECK(d.drawn_error() < 2e-5);
 }
@@ -225,29 +225,29 @@ TEST_CASE("failed_cage_generation_shows_an_error_and_changes_nothing") {
 TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_stays") {
   Driver d;
   d.open_dragon();
-  const auto before = d.document().cage->surface.positions;
+  const auto before = d.document().cage()->surface.positions;
   d.press_key(workspace::Key::tab);
   d.frame(3);
   const auto v = d.free_vertex();
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(40, -30));
   d.frame(2);
-  const auto& rest = d.document().model.surface->positions;
+  const auto& rest = d.document().model().surface->positions;
   const auto is_at_rest = [&] {
     return test::largest_distance(rest, d.viewer().deformer()->positions()) <
-           2e-5 * d.document().model.bounds.diagonal();
+           2e-5 * d.document().model().bounds.diagonal();
   };
   CHECK(is_at_rest());
   d.button(0, false);
   d.viewer().finish_binding();
   d.frame(3);
   CHECK(is_at_rest());
-  CHECK(d.document().cage->surface.positions[v] != before[v]);
+  CHECK(d.document().cage()->surface.positions[v] != before[v]);
   d.press_key(workspace::Key::tab);
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(30, 20));
   d.frame(2);
   CHECK(d.drawn_error() < 2e-5);
-  while (d.document().history.can_undo()) d.press_key('Z', true);
-  CHECK(d.document().cage->surface.positions == before);
+  while (d.document().history().can_undo()) d.press_key('Z', true);
+  CHECK(d.document().cage()->surface.positions == before);
 }
 
 TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
@@ -258,7 +258,7 @@ TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
   Driver d;
   REQUIRE(d.open({ball(), folder / "cage.obj"}));
   d.settle();
-  const auto before = d.document().cage;
+  const auto before = d.document().cage();
   d.workspace().view.handling.mirror = document::MirrorPlane::x;
   d.frame(2);
   REQUIRE(workspace::mirror_of(d.workspace())->unpaired() > 0);
@@ -268,5 +268,5 @@ TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
   CHECK(workspace::mirror_of(d.workspace())->unpaired() == 0);
   CHECK_FALSE(workspace::find_command("make_symmetric_cage")->enabled(d.workspace()));
   d.run("cancel_cage");
-  CHECK(d.document().cage == before);
+  CHECK(d.document().cage() == before);
 }

@@ -83,7 +83,7 @@ TEST_CASE("a_click_on_a_finding_highlights_its_elements_which_follow_the_cage") 
   CHECK(one > 30);
   CHECK(one < all);
   const auto edge = open->edges[0];
-  for (auto& p : d.document().changed_pose().positions) p[1] += 0.02 * d.document().space.diagonal();
+  for (auto& p : d.document().changed_pose().positions) p[1] += 0.02 * d.document().space().diagonal();
   d.move({700, 20});
   d.frame(3);
   const glm::ivec2 end(d.vertex(edge[0]));
@@ -107,7 +107,7 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   d.click("enclose_model");
   d.viewer().finish_binding();
   c.check();
-  CHECK(mesh::points_outside(d.document().cage->surface, d.document().model.surface->positions).empty());
+  CHECK(mesh::points_outside(d.document().cage()->surface, d.document().model().surface->positions).empty());
   CHECK_FALSE(c.shows("enclose_model"));
   CHECK_FALSE(c.shows("hide_cage_offer"));
   d.press_key('Z', true);
@@ -131,7 +131,7 @@ TEST_CASE("an_edit_of_the_cage_that_pushes_vertices_out_offers_to_enclose_the_mo
   CHECK_FALSE(c.shows("enclose_model"));
   const std::size_t before = d.workspace().checks.outside;
   d.run("edit_cage");
-  d.document().selection.apply(std::vector<std::uint32_t>{3}, document::SelectMode::replace);
+  d.document().changed_selection().apply(std::vector<std::uint32_t>{3}, document::SelectMode::replace);
   d.run("remove_elements");
   c.check();
   REQUIRE(d.workspace().checks.outside > before);

@@ -16,11 +16,11 @@ namespace {
 std::string state(Driver& d) {
   workspace::Workspace& w = d.workspace();
   std::string text = files::session_text(workspace::session_of(w), "/session.viete");
-  for (const std::uint32_t i : w.document.selection.indices()) text += std::to_string(i) + " ";
+  for (const std::uint32_t i : w.document.selection().indices()) text += std::to_string(i) + " ";
   return text + std::to_string(static_cast<int>(w.view.tool)) + std::to_string(w.playback.playing) +
          std::to_string(w.view.interaction.grab.has_value()) + std::to_string(w.view.options.panels) +
-         std::to_string(!w.jobs.wishes.empty()) + std::to_string(w.document.history.can_redo()) +
-         w.document.history.undo_label();
+         std::to_string(!w.jobs.wishes.empty()) + std::to_string(w.document.history().can_redo()) +
+         w.document.history().undo_label();
 }
 
 std::vector<workspace::Shortcut> keys_of(const workspace::Keymap& keymap) {
@@ -38,7 +38,8 @@ std::vector<workspace::Shortcut> keys_of(const workspace::Keymap& keymap) {
 struct Dialogs : test::SmallScene {
   Dialogs() {
     document::set_key(d.document(), 1);
-    d.document().selection.apply(std::vector<std::uint32_t>{0, 1, 2}, document::SelectMode::replace);
+    d.document().changed_selection().apply(std::vector<std::uint32_t>{0, 1, 2},
+                                           document::SelectMode::replace);
     d.document().changed_pose().positions[0][0] += 0.5;
     document::set_key(d.document(), 9);
     d.run("keep_pose");

@@ -41,7 +41,7 @@ public:
                   std::optional<WithPixels> pixels = pictures_wanted())
       : offscreen_(options,
                    pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
-    document().scheme = {};  // the deformer "As published"
+    document().put_scheme({});  // the deformer "As published"
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
       workspace().preferences.layout.sections[title] = true;
   }
@@ -228,14 +228,14 @@ public:
   /// Returns the largest error of the drawn vertices, in diagonals of the model.
   double drawn_error() {
     return largest_distance(exact_positions(), viewer().deformer()->positions()) /
-           document().model.bounds.diagonal();
+           document().model().bounds.diagonal();
   }
 
   glm::vec2 on_screen(const mesh::Point& p) {
-    const interact::Projector project(document().space, workspace().view.camera, workspace().view.viewport);
+    const interact::Projector project(document().space(), workspace().view.camera, workspace().view.viewport);
     return glm::vec2(*project(p));
   }
-  glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose.positions[i]); }
+  glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose().positions[i]); }
   /// Returns a visible cage vertex that is near the center of the screen and far from other vertices.
   std::uint32_t free_vertex();
 
@@ -262,11 +262,11 @@ inline void Driver::open_dragon(const std::string& pose, const std::filesystem::
 
 inline std::uint32_t Driver::free_vertex() {
   const auto& w = workspace();
-  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
+  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
   const glm::vec2 middle = w.view.viewport.origin + 0.5f * w.view.viewport.size;
   std::uint32_t best = 0;
   float best_score = -1e9f;
-  const auto& points = w.document.pose.positions;
+  const auto& points = w.document.pose().positions;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const glm::vec3 projected = *project(points[i]);
     const glm::vec2 at(projected);

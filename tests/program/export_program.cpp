@@ -83,7 +83,7 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
 TEST_CASE("an_animation_is_exported_aside") {
   const test::TemporaryFolder folder;
   LargeModel d(folder.path(), 6);
-  d.workspace().document.frame = 1;
+  d.workspace().document.put_frame(1);
   REQUIRE(test::run_command(d.workspace(), "set_key"));
   drag_some_vertex(d, {-40, 25});
   document::set_key(d.document(), 600);
@@ -100,13 +100,13 @@ TEST_CASE("an_animation_is_exported_aside") {
 TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") {
   const test::TemporaryFolder folder;
   LargeModel d(folder.path(), 4);
-  d.workspace().document.frame = 1;
+  d.workspace().document.put_frame(1);
   document::set_key(d.document(), 1);
-  deform::Pose pose = d.document().pose;
+  deform::Pose pose = d.document().pose();
   for (auto& p : pose.positions) p[1] *= 1.3;
   document::set_pose(d.document(), pose);
   document::set_key(d.document(), 3);
-  d.document().timeline.last = 3;
+  d.document().changed_timeline().last = 3;
   d.workspace().view.options.model = true;
   d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, folder / "f_##.png");
   d.frame();

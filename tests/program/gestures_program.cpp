@@ -26,20 +26,20 @@ struct Hand : Driver {
     open_dragon();
   }
 
-  const std::vector<mesh::Point>& pose() { return document().pose.positions; }
-  const std::vector<mesh::Point>& rest() { return document().cage->surface.positions; }
+  const std::vector<mesh::Point>& pose() { return document().pose().positions; }
+  const std::vector<mesh::Point>& rest() { return document().cage()->surface.positions; }
   std::vector<std::uint32_t> moved() {
     std::vector<std::uint32_t> all;
     for (std::uint32_t v = 0; v < pose().size(); ++v)
       if (pose()[v] != rest()[v]) all.push_back(v);
     return all;
   }
-  std::size_t edits() { return test::edit_count(document().history); }
+  std::size_t edits() { return test::edit_count(document().history()); }
   void select_whole_cage() {
     press_key('A');
     press_key('E');
     frame(2);
-    CHECK(document().selection.size() == pose().size());
+    CHECK(document().selection().size() == pose().size());
   }
   // Returns the model in double precision. The model drawn in single precision must agree.
   std::vector<mesh::Point> mesh() {
@@ -97,7 +97,7 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
   d.press_key('Z', true);
   CHECK(d.mesh() == rest);
   d.press_key('Z', true, true);
-  CHECK(d.document().pose.turns[0][1] == doctest::Approx(degrees * radians).epsilon(1e-9));
+  CHECK(d.document().pose().turns[0][1] == doctest::Approx(degrees * radians).epsilon(1e-9));
 }
 
 TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
@@ -113,7 +113,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
   CHECK_FALSE(advises());  // the cage is at rest
   d.document().changed_pose().positions[0][0] += 1;
   CHECK(advises());
-  d.document().scheme = deform::entry(deform::Way::mean_value).scheme;
+  d.document().put_scheme(deform::entry(deform::Way::mean_value).scheme);
   CHECK_FALSE(advises());
 }
 
@@ -164,10 +164,10 @@ TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
   CHECK(d.pose()[v][1] == 1.5);
   d.type_in("transform_y", "2");
   d.click(glm::vec2(700, 60));
-  CHECK(d.document().selection.empty());
+  CHECK(d.document().selection().empty());
   CHECK(d.pose()[v][1] == 2);  // the vertex that was selected before the click
   d.press_key('Z', true);      // restores the selection
-  CHECK_FALSE(d.document().selection.empty());
+  CHECK_FALSE(d.document().selection().empty());
   CHECK(d.pose()[v][1] == 2);
   d.press_key('Z', true);
   CHECK(d.pose()[v][1] == 1.5);
@@ -196,7 +196,7 @@ TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
   CHECK_FALSE(d.workspace().view.interaction.placing_pivot);
   CHECK(d.workspace().view.handling.pivot == document::Pivot::point);
   CHECK(d.workspace().view.handling.point == d.pose()[v]);
-  CHECK(d.document().selection.empty());
+  CHECK(d.document().selection().empty());
   d.select_whole_cage();
   d.enter("transform_y", "90");
   CHECK(d.pose()[v] == d.rest()[v]);
@@ -246,7 +246,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
     if (axis) shaping.hinge = *interact::hinge_near(seen, *axis);
     std::vector<mesh::Point> expected = d.rest();
     for (auto& p : expected) p = interact::shaped(shaping, degrees, p);
-    return test::largest_distance(d.pose(), expected) < 1e-9 * d.document().space.diagonal();
+    return test::largest_distance(d.pose(), expected) < 1e-9 * d.document().space().diagonal();
   };
   d.move({760, 300});
   d.type("y");
@@ -302,7 +302,7 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   d.run("toggle_soft");
   const auto soft = picture_at(aside);
   std::size_t changed = 0;
-  for (const auto& [a, b] : d.document().cage->edges) {
+  for (const auto& [a, b] : d.document().cage()->edges) {
     if (a != v && b != v) continue;
     const glm::ivec2 middle(glm::round(0.5f * (d.vertex(a) + d.vertex(b))));
     changed += plain.pixel(middle.x, middle.y) != soft.pixel(middle.x, middle.y);
@@ -327,7 +327,7 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
 
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
   Hand d(test::with_pixels);
-  const auto selected = [&] { return d.document().selection.size(); };
+  const auto selected = [&] { return d.document().selection().size(); };
   // Counts the pixels that have the colour of selected vertices.
   const auto amber = [&] {
     d.move({700, 20});
@@ -358,14 +358,14 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
   d.press_key('H', false, true);
   CHECK(amber() == 0);
   d.click("set/0/remove");
-  CHECK(d.document().groups.sets.empty());
+  CHECK(d.document().groups().sets.empty());
 }
 
 TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   Hand d;
   d.press_key(workspace::Key::pad3);  // from the right, where the wings cover the body
   d.settle();
-  const auto rest = d.document().model.surface->positions;
+  const auto rest = d.document().model().surface->positions;
   d.press_key('D');
   d.frame(2);
   CHECK_FALSE(workspace::gizmo_of(d.workspace()));
@@ -379,10 +379,10 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   CHECK(d.workspace().view.brush.radius > 1.2f * radius);
   d.drag(middle, middle + glm::vec2(60, 10));
   d.settle();
-  const auto painted = d.document().mask;
+  const auto painted = d.document().mask();
   REQUIRE(painted);
   CHECK(std::ranges::count(*painted, 0.0f) > 20);
-  deform::Pose pose = d.document().pose;
+  deform::Pose pose = d.document().pose();
   for (auto& p : pose.positions) p[1] += 1;
   document::set_pose(d.document(), pose);
   d.settle();
@@ -392,12 +392,12 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.key(Driver::left_ctrl, true);  // Ctrl erases
   d.press_and_move(middle, middle - glm::vec2(60, 10));
   d.key(Driver::left_ctrl, false);
-  CHECK(d.document().mask != painted);
+  CHECK(d.document().mask() != painted);
   d.press_key(workspace::Key::escape);
   d.button(0, false);
-  CHECK(d.document().mask == painted);
+  CHECK(d.document().mask() == painted);
   d.click("brush_share");  // a click in the center sets the middle value
   CHECK(d.workspace().view.brush.share == doctest::Approx(0.5).epsilon(0.1));
   d.click("mask_clear");
-  CHECK_FALSE(d.document().mask);
+  CHECK_FALSE(d.document().mask());
 }

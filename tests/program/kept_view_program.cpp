@@ -48,10 +48,10 @@ private:
   int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
   glm::vec2 anywhere() { return {below(700), below(420)}; }
   glm::vec2 near_vertex() {
-    const auto count = static_cast<int>(d.document().pose.positions.size());
-    const interact::Projector project(d.document().space, d.workspace().view.camera,
+    const auto count = static_cast<int>(d.document().pose().positions.size());
+    const interact::Projector project(d.document().space(), d.workspace().view.camera,
                                       d.workspace().view.viewport);
-    const auto at = project(d.document().pose.positions[static_cast<std::size_t>(below(count))]);
+    const auto at = project(d.document().pose().positions[static_cast<std::size_t>(below(count))]);
     return at ? glm::round(glm::vec2(*at)) : anywhere();
   }
   void press_and_move(glm::vec2 from, int button) {

@@ -28,22 +28,22 @@ void choose_map(Driver& d, const char* word) {
 // Returns the vertices of the active view.
 std::vector<mesh::Point> shown(Driver& d) {
   std::vector<mesh::Point> points;
-  for (std::size_t v = 0; v < d.document().model.surface->positions.size(); ++v)
-    points.push_back(d.workspace().frame.posed.at(*d.document().model.surface, v));
+  for (std::size_t v = 0; v < d.document().model().surface->positions.size(); ++v)
+    points.push_back(d.workspace().frame.posed.at(*d.document().model().surface, v));
   return points;
 }
 
 // Returns the largest distance between corresponding points, in diagonals of the model.
 double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  return test::largest_distance(a, b) / d.document().model.bounds.diagonal();
+  return test::largest_distance(a, b) / d.document().model().bounds.diagonal();
 }
 
 // Returns the largest error of a view's vertices against double precision, in diagonals of the model.
 double error_of_side(Driver& d, std::size_t side) {
   const auto& view = d.workspace().view.split.sides()[side];
   base::WorkerPool pool;
-  const auto exact = deform::deform_exactly(*d.document().model.surface, d.document().cage, view.scheme,
-                                            d.document().pose, view.method, pool)
+  const auto exact = deform::deform_exactly(*d.document().model().surface, d.document().cage(), view.scheme,
+                                            d.document().pose(), view.method, pool)
                          .positions;
   workspace::enter_view(d.workspace(), side + 1);
   d.frame();
@@ -58,7 +58,8 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
   d.press_key(workspace::key('C'));  // hides the cage
   d.settle();
   const auto plain = d.picture();
-  d.document().selection.apply(std::vector<std::uint32_t>{d.free_vertex()}, document::SelectMode::replace);
+  d.document().changed_selection().apply(std::vector<std::uint32_t>{d.free_vertex()},
+                                         document::SelectMode::replace);
   std::set<std::vector<float>> seen;
   for (const base::Choice& choice : choices(Field::none)) {
     if (choice.word == "none") continue;
@@ -68,7 +69,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
     choose_map(d, word.c_str());
     const auto& map = d.workspace().view.split.views[0].shown;
     REQUIRE(map.values);
-    CHECK(map.values->size() == d.document().model.surface->positions.size());
+    CHECK(map.values->size() == d.document().model().surface->positions.size());
     CHECK(map.stats.field == d.workspace().view.options.field);
     CHECK(test::difference(plain, d.picture(), 12) > 0.02);
     seen.insert(*map.values);
@@ -106,7 +107,7 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   // The worst vertex is in the center of the view.
   d.click("frame_worst");
   d.settle();
-  const auto place = d.workspace().frame.posed.at(*d.document().model.surface, stats.worst);
+  const auto place = d.workspace().frame.posed.at(*d.document().model().surface, stats.worst);
   CHECK(glm::distance(d.on_screen(place), view.viewport.middle()) < 3);
 }
 
@@ -120,8 +121,8 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
   CHECK(d.workspace().view.split.views[0].shown.stats.least == doctest::Approx(1).epsilon(1e-3));
   CHECK(d.workspace().view.split.views[0].shown.stats.most == doctest::Approx(1).epsilon(1e-3));
   // There are two pins. The influence of the second pin is 1 at this pin, and 0 at the first pin.
-  document::add_pin(d.document(), d.workspace().frame.posed, d.document().model.surface->positions[100]);
-  document::add_pin(d.document(), d.workspace().frame.posed, d.document().model.surface->positions[40000]);
+  document::add_pin(d.document(), d.workspace().frame.posed, d.document().model().surface->positions[100]);
+  document::add_pin(d.document(), d.workspace().frame.posed, d.document().model().surface->positions[40000]);
   d.settle();
   const auto& values = *d.workspace().view.split.views[0].shown.values;
   CHECK(double(values[40000]) == doctest::Approx(1).epsilon(1e-3));
@@ -160,11 +161,11 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   const auto& v = d.workspace().view.viewport;
   const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
   d.press_and_move(second, second + glm::vec2(40, -30));
-  CHECK(d.document().selection.size() == 1);
+  CHECK(d.document().selection().size() == 1);
   CHECK(split.active == 3);
   d.button(0, false);
   d.settle();
-  CHECK(d.document().history.undo_label() == "move a vertex");
+  CHECK(d.document().history().undo_label() == "move a vertex");
   d.move({1, 1});  // the pointer is outside all views
   CHECK(d.drawn_error() < 2e-5);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
@@ -276,7 +277,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.open_dragon();
   std::vector<std::string> warnings;
   const auto coil =
-      deform::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
+      deform::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage(), warnings);
   document::add_poses(
       d.document(),
       {{"coil", std::make_shared<const document::WholePose>(document::WholePose{coil, {}, {}})}});
@@ -285,7 +286,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.settle();
   workspace::split_view(d.workspace(), 2);
   auto& side = d.workspace().view.split.sides()[0];
-  side.scheme = d.document().scheme;
+  side.scheme = d.document().scheme();
   side.other_blending = true;
   d.settle();
   const auto first = d.viewer().deformer()->positions();
@@ -304,13 +305,13 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   Driver d;
   d.open_dragon();
   d.workspace().view.options.field = Field::influence;
-  d.document().selection = document::Selection(document::ElementKind::probe);
+  d.document().changed_selection() = document::Selection(document::ElementKind::probe);
   d.settle();
   CHECK(d.workspace().view.split.views[0].shown.stats.most == 0);
   CHECK(d.workspace().view.split.views[0].shown.problem.empty());
   // A pin is at a vertex that has no triangle.
   document::Document& document = d.document();
-  mesh::Surface loose = *document.model.surface;
+  mesh::Surface loose = *document.model().surface;
   loose.positions.push_back({0, 0, 0});
   const test::TemporaryFolder folder;
   formats::write(folder / "loose.ply", loose);
@@ -332,7 +333,7 @@ TEST_CASE("while_the_cage_itself_is_changed_all_views_stay_at_rest") {
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.press_and_move(at, at + glm::vec2(30, 20));
   workspace::enter_view(d.workspace(), 1);
-  CHECK(apart(d, shown(d), d.document().model.surface->positions) < 1e-4);
+  CHECK(apart(d, shown(d), d.document().model().surface->positions) < 1e-4);
   d.button(0, false);
   d.settle();
 }

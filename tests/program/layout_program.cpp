@@ -76,7 +76,7 @@ TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narro
   const float end = d.workspace().view.viewport.origin.x + d.workspace().view.viewport.size.x;
   d.drag({end - 3, 60}, {end - 43, 60});
   CHECK(layout(d).width[1] == doctest::Approx(360).epsilon(0.02));
-  CHECK(d.document().selection.empty());
+  CHECK(d.document().selection().empty());
   // A tab folds and unfolds its column.
   for (const bool shown : {false, true}) {
     d.click("tab/methods");
@@ -102,8 +102,8 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
   d.frame(3);
   d.click("recent/0");
   d.settle();
-  CHECK(d.document().model.path == test::dragon);
-  CHECK(d.document().cage_file.path == test::dragon_cage);
+  CHECK(d.document().model().path == test::dragon);
+  CHECK(d.document().cage_file().path == test::dragon_cage);
   CHECK_FALSE(d.workspace().view.options.dark);
   CHECK_FALSE(d.viewer().recorder().find("method_diag"));
   d.click("tab/methods");
@@ -135,7 +135,7 @@ TEST_CASE("a_menu_runs_a_command") {
   d.frame(2);
   CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // the menu is closed again
   d.choose("menu/Deform", "menu/method_sd");
-  CHECK(d.document().method == sym3::Method::sd);
+  CHECK(d.document().method() == sym3::Method::sd);
 }
 
 TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
@@ -162,14 +162,14 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   CHECK_FALSE(recorder.find("history/9"));
   d.click("history/45");
   d.frame(2);
-  CHECK(d.document().history.position() == 45);
+  CHECK(d.document().history().position() == 45);
   CHECK(workspace::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
   workspace::mark_saved(d.workspace());
   menu("File", "recent");
   const auto file = d.workspace().preferences.recent.at(1).file;
   d.click("menu/recent/1");
   d.settle();
-  CHECK(d.document().model.path == file);
+  CHECK(d.document().model().path == file);
 }
 
 TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
@@ -179,10 +179,10 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   const auto v = d.free_vertex();
   d.click(d.vertex(v), 1);
   d.frame(2);
-  CHECK(d.document().selection.contains(v));
+  CHECK(d.document().selection().contains(v));
   CHECK(d.workspace().view.camera.pose() == camera);
   d.click("menu/select_all");
-  CHECK(d.document().selection.size() == d.document().pose.positions.size());
+  CHECK(d.document().selection().size() == d.document().pose().positions.size());
   d.frame(2);
   d.drag(empty_place(d), empty_place(d) + glm::vec2(40, 5), 1);
   d.frame(2);
@@ -195,7 +195,7 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   d.frame(2);
   d.click("menu/add_probe");
   d.frame(2);
-  CHECK(d.document().probes.all.size() == 1);
+  CHECK(d.document().probes().all.size() == 1);
 }
 
 TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {

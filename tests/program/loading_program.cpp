@@ -35,17 +35,17 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     drag_some_vertex(d, {20, 10});
-    surface = d.document().model.surface.get();
+    surface = d.document().model().surface.get();
     d.workspace().jobs.wishes.open(request);
     if (!sees_loading_bar(d)) continue;
     CHECK(d.workspace().jobs.loading.what == "Reading large.obj");
-    CHECK(d.document().model.surface.get() == surface);
+    CHECK(d.document().model().surface.get() == surface);
     d.viewer().input().push(platform::InputEvent::key(static_cast<int>(workspace::Key::escape), true));
     d.viewer().input().push(platform::InputEvent::key(static_cast<int>(workspace::Key::escape), false));
     REQUIRE(d.until([&] { return !d.viewer().loading(); }));
-    if (d.document().model.surface.get() == surface) break;
+    if (d.document().model().surface.get() == surface) break;
   }
-  CHECK(test::edit_count(d.document().history) == 1);
+  CHECK(test::edit_count(d.document().history()) == 1);
   CHECK(d.workspace().messages.all().back().text.find("Cancelled opening") != std::string::npos);
 
   d.workspace().jobs.wishes.open(request);
@@ -57,5 +57,6 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     last = std::max(last, loading.done);
     return !d.viewer().loading();
   }));
-  CHECK(d.document().model.summary.vertices == formats::read(folder / "large.obj").surface.positions.size());
+  CHECK(d.document().model().summary.vertices ==
+        formats::read(folder / "large.obj").surface.positions.size());
 }

@@ -93,7 +93,7 @@ void check_notices(Driver& d) {
 void check_time(Driver& d) {
   auto& w = d.workspace();
   for (int i = 0; i < 2; ++i) d.click("keep_pose");
-  w.document.frame = 1;
+  w.document.put_frame(1);
   document::set_key(w.document, 1);
   document::set_key(w.document, 30);
   document::set_camera_key(w.document, 10, w.view.camera.pose());
@@ -114,7 +114,7 @@ void visit_panels(Driver& d) {
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.frame(2);
   REQUIRE(d.viewer().recorder().find("finding/0"));
-  deform::Pose pose = d.document().pose;
+  deform::Pose pose = d.document().pose();
   for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
   document::set_pose(d.document(), pose);
   check(d, "all sections");

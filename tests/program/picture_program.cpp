@@ -99,7 +99,8 @@ std::function<void(Driver&)> handles(const char* kind, const char* tool) {
     d.open_dragon("", test::bundled_dragon);
     test::run_command(w, kind);
     test::run_command(w, tool);
-    w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, document::SelectMode::replace);
+    w.document.changed_selection().apply(std::array<std::uint32_t, 3>{40, 41, 99},
+                                         document::SelectMode::replace);
     d.frame(2);
   };
 }

@@ -24,10 +24,10 @@ struct ProbeHand : Driver {
     press_key('P');
     frame(2);
     settle();
-    REQUIRE(document().probes.all.size() == 1);
+    REQUIRE(document().probes().all.size() == 1);
   }
   glm::vec2 head() { return glm::floor(on_screen({0.75, 1.35, 0})); }
-  const document::Probe& probe() { return document().probes.all.front(); }
+  const document::Probe& probe() { return document().probes().all.front(); }
 };
 
 }  // namespace
@@ -36,7 +36,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
   for (const bool cage : {true, false}) {
     INFO(cage);
     ProbeHand d(cage);
-    const auto rest = d.document().model.surface->positions;
+    const auto rest = d.document().model().surface->positions;
     d.place_probe();
     CHECK(glm::distance(d.on_screen(document::probe_center(d.document(), 0)), d.head()) < 1.5f);
     CHECK_FALSE(document::differs_from_rest(d.document()));
@@ -75,7 +75,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     CHECK(d.probe().pose == document::ProbePose{});
     CHECK(d.exact_positions() == unmoved);
     d.press_key('Z', true);
-    CHECK(d.document().probes.empty());
+    CHECK(d.document().probes().empty());
     CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
   }
 }
@@ -92,22 +92,22 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   CHECK(d.probe().move.radius != radius);
   CHECK(d.probe().turn.radius == radius);
   d.choose("probe_mix", "probe_mix_softmax");
-  CHECK(d.document().probes.mix == deform::ProbeMix::softmax);
+  CHECK(d.document().probes().mix == deform::ProbeMix::softmax);
   d.click("toggle_locked");
   CHECK(d.probe().locked);
   d.click("toggle_locked");
   d.click(d.on_screen(document::probe_center(d.document(), 0)));
-  CHECK(d.document().selection.contains(0));
+  CHECK(d.document().selection().contains(0));
   d.press_key(workspace::Key::delete_key, false, true);
-  CHECK(d.document().probes.empty());
+  CHECK(d.document().probes().empty());
   d.press_key('Z', true);
   d.document().changed_probes().all[0].pose.move = {0.1, 0.25, 0};
-  const auto probes = d.document().probes;
+  const auto probes = d.document().probes();
   workspace::mark_saved(d.workspace());
   REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
   d.settle();
   CHECK(d.document().has_cage());
-  CHECK(d.document().probes == probes);
+  CHECK(d.document().probes() == probes);
   CHECK(workspace::has_unsaved_edits(d.workspace()));
   CHECK(d.drawn_error() < 2e-5);
 }
@@ -121,7 +121,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
     return d.picture();
   };
   const auto rest = picture();
-  deform::Pose pose = d.document().pose;
+  deform::Pose pose = d.document().pose();
   for (auto& p : pose.positions) p[1] *= 1.5;
   document::set_pose(d.document(), pose);
   const auto posed = picture();

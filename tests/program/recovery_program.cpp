@@ -29,8 +29,8 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     d.button(0, false);
     d.frame();
     REQUIRE(settled(1));
-    CHECK(kept_pose() == d.document().pose.positions);
-    const auto first = d.document().pose.positions;
+    CHECK(kept_pose() == d.document().pose().positions);
+    const auto first = d.document().pose().positions;
 
     const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
     d.press_and_move(at, at + glm::vec2(50, 5));
@@ -118,12 +118,12 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   };
   ask();
   CHECK(d.workspace().files.question->why.find(recovery.string()) != std::string::npos);
-  const auto posed = d.document().pose.positions;
+  const auto posed = d.document().pose().positions;
   d.press_key(workspace::key('Z'), true);  // has no effect while the question is open
   d.press_key(workspace::Key::delete_key);
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(30, 30));
-  CHECK(d.document().pose.positions == posed);
+  CHECK(d.document().pose().positions == posed);
   constexpr int tab = 258, right = 262, left = 263;
   const auto press = [&](int key, int chosen) {
     d.press_key(key);
@@ -179,11 +179,11 @@ TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
     const glm::vec2 by = glm::sign(center - at) * glm::vec2(static_cast<float>(5 + random() % 20),
                                                             static_cast<float>(5 + random() % 20));
     d.press_and_move(at, at + by);
-    say("about", d.document().pose.positions[v][0]);
+    say("about", d.document().pose().positions[v][0]);
     d.button(0, false);
     d.frame();
     d.viewer().finish_keeping();  // waits until the edit is written
-    say("done", d.document().pose.positions[v][0]);
+    say("done", d.document().pose().positions[v][0]);
   }
 }
 

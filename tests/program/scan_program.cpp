@@ -11,7 +11,7 @@ TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged" * doctest::test
   d.workspace().jobs.wishes.open(
       {files::OpenRequest::What::model, {folder / "mesh.ply", folder / "cage.obj"}});
   REQUIRE(d.until([&] { return d.document().has_cage() && !d.viewer().loading(); }));
-  CHECK(d.document().model.summary.vertices == 537374);
+  CHECK(d.document().model().summary.vertices == 537374);
   d.settle();
   REQUIRE(d.viewer().deformer()->positions().size() == 537374);
 

@@ -62,13 +62,13 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   folder.done("deform a.viete -o a.obj");
   // The window draws in single precision, but the exported OBJ has double precision.
   const auto written = formats::read(folder / "a.obj").surface.positions;
-  CHECK(largest_distance(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
-  CHECK(largest_distance(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
+  CHECK(largest_distance(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage()->diagonal);
+  CHECK(largest_distance(written, d.exact_positions()) < 1e-11 * d.document().cage()->diagonal);
   d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, folder / "window.obj");
   d.frame();
   d.viewer().finish_exports();
   CHECK(largest_distance(written, formats::read(folder / "window.obj").surface.positions) <
-        1e-11 * d.document().cage->diagonal);
+        1e-11 * d.document().cage()->diagonal);
 
   folder.done("render a.viete -o b.png --size 320x200 --light --look top");
   CHECK(test::read_png(folder / "b.png").width == 320);
@@ -125,7 +125,7 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
     REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     drag_some_vertex(d, {30, 20});
-    pose = d.document().pose;
+    pose = d.document().pose();
     REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
   }
   fs::rename(small.model, folder / "new.ply");
@@ -137,8 +137,8 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
   other.click("file/new.ply");
   other.click("file_choose");
   other.settle();
-  CHECK(other.document().model.path == fs::canonical(folder / "new.ply"));
-  CHECK(other.document().pose.positions == pose.positions);
+  CHECK(other.document().model().path == fs::canonical(folder / "new.ply"));
+  CHECK(other.document().pose().positions == pose.positions);
 }
 
 TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
@@ -149,7 +149,7 @@ TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   d.settle();
   drag_some_vertex(d, {30, 20});
   CHECK(workspace::has_unsaved_edits(d.workspace()));
-  const auto posed = d.document().pose.positions;
+  const auto posed = d.document().pose().positions;
   d.press_key(workspace::key('S'), true);
   d.frame(2);
   REQUIRE(d.workspace().files.browser.open);
@@ -166,7 +166,7 @@ TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   d.press_key(workspace::Key::enter);
   d.settle();
   CHECK_FALSE(d.workspace().files.browser.open);
-  CHECK(d.document().pose.positions == posed);
+  CHECK(d.document().pose().positions == posed);
   CHECK(d.workspace().files.saved.session.filename() == "small.viete");
 }
 
@@ -188,5 +188,5 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   d.press_key(workspace::Key::down);
   d.press_key(workspace::Key::enter);
   d.settle();
-  CHECK(d.document().model.path.filename() == "small.ply");
+  CHECK(d.document().model().path.filename() == "small.ply");
 }

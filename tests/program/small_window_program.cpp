@@ -87,9 +87,9 @@ TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
     d.frame(2);
   };
   pick("strip/more", "menu/add_probe");
-  CHECK(d.document().probes.all.size() == 1);
+  CHECK(d.document().probes().all.size() == 1);
   pick("time/more", "menu/toggle_auto_key");
   CHECK(d.workspace().playback.auto_key);
   pick("time/more_of_range", "time/linear");
-  CHECK(d.document().timeline.linear);
+  CHECK(d.document().timeline().linear);
 }

@@ -17,8 +17,8 @@ struct Timed : Driver {
     frame(3);
   }
 
-  std::vector<mesh::Point>& pose() { return document().pose.positions; }
-  const document::Timeline& timeline() { return document().timeline; }
+  const std::vector<mesh::Point>& pose() { return document().pose().positions; }
+  const document::Timeline& timeline() { return document().timeline(); }
   void open_pose(const std::string& name) {
     REQUIRE(open({test::dragon_cage.parent_path() / (name + ".obj")}, What::pose));
     frame(2);
@@ -60,27 +60,27 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   Timed d;
   d.keep("pose_alert");
   const auto alert = d.pose();
-  CHECK(d.document().library.poses[0].weight == 1);
+  CHECK(d.document().library().poses[0].weight == 1);
   d.type_weight("100");
   CHECK(d.pose() == alert);
   d.keep("pose_flight");
   const auto flight = d.pose();
-  REQUIRE(d.document().library.poses.size() == 2);
+  REQUIRE(d.document().library().poses.size() == 2);
   d.press_key('R', true);  // resets the pose
   const auto rest = d.pose();
-  REQUIRE(rest == d.document().cage->surface.positions);
+  REQUIRE(rest == d.document().cage()->surface.positions);
 
   const auto slider = d.viewer().recorder().find("pose_weight/0");
   REQUIRE(slider);
   const glm::vec2 from{slider->x0 + 0.3f * (slider->x1 - slider->x0), 0.5f * (slider->y0 + slider->y1)};
   d.drag(from, {slider->x1 - 40, from.y});
-  CHECK(d.document().library.poses[0].weight > 0.5);
+  CHECK(d.document().library().poses[0].weight > 0.5);
   CHECK(d.pose() != rest);
   d.press_key('Z', true);
   CHECK(d.pose() == rest);
-  CHECK(d.document().library.poses[0].weight == 0);
+  CHECK(d.document().library().poses[0].weight == 0);
   d.type_weight("100");
-  CHECK(d.document().library.poses[0].weight == 1);
+  CHECK(d.document().library().poses[0].weight == 1);
   CHECK(d.pose() == alert);
   d.run("clear_mix");
   CHECK(d.pose() == rest);
@@ -93,22 +93,22 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.press_key('A', true);
   d.type("Wings");
   d.press_key(workspace::Key::enter);
-  CHECK(d.document().library.poses[1].name == "Wings");
+  CHECK(d.document().library().poses[1].name == "Wings");
 }
 
 TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   Timed d;
   d.open_dragon("", test::bundled_dragon);
   CHECK(d.timeline().empty());
-  CHECK(d.document().library.poses.empty());
+  CHECK(d.document().library().poses.empty());
   d.press_key(workspace::Key::right);
-  CHECK(d.document().frame == 1);  // the key has no effect while the timeline is hidden
+  CHECK(d.document().frame() == 1);  // the key has no effect while the timeline is hidden
   d.press_key('I');
   d.frame(3);
   CHECK(d.viewer().recorder().find("time/track"));
   CHECK(d.workspace().messages.all().back().text == "Key set at frame 1.");
   d.press_key(workspace::Key::right);
-  CHECK(d.document().frame == 2);
+  CHECK(d.document().frame() == 2);
   d.press_key('Z', true);
   REQUIRE(d.timeline().empty());
 
@@ -116,7 +116,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   d.viewer().finish_loading();
   d.frame(3);
   CHECK(d.timeline().keys.size() > 2);
-  CHECK(d.document().library.poses.size() == 3);
+  CHECK(d.document().library().poses.size() == 3);
   CHECK(d.workspace().playback.playing);
   d.frame(3);
   CHECK(d.viewer().recorder().find("time/track"));
@@ -126,7 +126,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   d.go_to(110);
   const auto played = d.pose();
   d.type_weight("100");
-  CHECK(d.document().library.poses[0].weight == 1);
+  CHECK(d.document().library().poses[0].weight == 1);
   CHECK(d.pose() != played);
   d.press_key('Z', true);
   CHECK(d.pose() == played);
@@ -145,23 +145,23 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
 
   // A drag on the ruler changes the frame. At a key, the pose equals the key's pose exactly.
   d.drag(d.on_track(30, ruler), d.on_track(24, ruler));
-  CHECK(d.document().frame == 24);
+  CHECK(d.document().frame() == 24);
   CHECK(d.pose() == alert);
   d.click(d.on_track(12, ruler));
-  CHECK(d.document().frame == 12);
+  CHECK(d.document().frame() == 12);
   const auto halfway = d.pose();
   CHECK(halfway != rest);
   d.choose("time/easing", "time/easing_constant_speed");
   CHECK(d.timeline().keys[0].easing == Easing::constant_speed);
   CHECK(d.pose() != halfway);
   d.press_key(workspace::Key::left, false, true);
-  CHECK(d.document().frame == 1);
+  CHECK(d.document().frame() == 1);
 
   d.press_key(workspace::Key::space);
   CHECK(d.workspace().playback.playing);
   CHECK(d.viewer().wants_frame());
   d.frame(30);
-  CHECK(d.document().frame > 5);
+  CHECK(d.document().frame() > 5);
   d.press_key(workspace::Key::space);
   CHECK_FALSE(d.workspace().playback.playing);
 

@@ -17,7 +17,7 @@ using test::Driver, test::largest_distance;
 namespace {
 
 double diagonal(Driver& d) {
-  return 2 / d.document().space.scale;
+  return 2 / d.document().space().scale;
 }
 
 // Returns the model in double precision. The model drawn in single precision must agree.
@@ -27,7 +27,7 @@ std::vector<mesh::Point> positions(Driver& d) {
 }
 
 const std::vector<mesh::Point>& rest_of(Driver& d) {
-  return d.document().model.surface->positions;
+  return d.document().model().surface->positions;
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
   document::set_radius(d.document(), 0.3);
   d.frame(3);  // the scene is empty
   d.open_dragon();
-  CHECK(d.document().scheme.weighting.weights == deform::Weights::mean_value);
-  CHECK(d.document().scheme.weighting.radius == 0.3);
+  CHECK(d.document().scheme().weighting.weights == deform::Weights::mean_value);
+  CHECK(d.document().scheme().weighting.radius == 0.3);
   CHECK(d.viewer().deformer()->state().rows().form == deform::RowForm::positions);
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   CHECK(glm::distance(d.vertex(v), to + offset) < 0.05f);
   d.button(0, false);
   d.frame(2);
-  CHECK(test::edit_count(d.document().history) == 1);
+  CHECK(test::edit_count(d.document().history()) == 1);
   CHECK_FALSE(d.workspace().view.options.hints);
 
   // Pixels have changed around the vertex that moved farthest.
@@ -108,7 +108,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
                {"method_fast", sym3::Method::fast, 0}};
   for (const auto& c : cases) {
     d.click(c.widget);
-    CHECK(d.document().method == c.method);
+    CHECK(d.document().method() == c.method);
     d.settle();
     CHECK(d.viewer().deformer()->engine(c.method) ==
           (c.method == sym3::Method::fast ? deform::EngineKind::fused : deform::EngineKind::staged));
@@ -138,7 +138,7 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   test::SmallScene small(Driver::default_options());
   Driver& d = small.d;
   const auto shows = [&](const char* widget) { return d.viewer().recorder().find(widget).has_value(); };
-  const auto& scheme = d.document().scheme;
+  const auto& scheme = d.document().scheme();
   for (const auto& way : deform::all_ways()) {
     CAPTURE(way.name);
     d.choose("way", workspace::choice_command_name(way.value));
@@ -148,7 +148,7 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
     CHECK(shows("radius") == (way.value == deform::Way::local));
     CHECK_FALSE(shows("weights"));
   }
-  CHECK(test::edit_count(d.document().history) == deform::all_ways().size());
+  CHECK(test::edit_count(d.document().history()) == deform::all_ways().size());
   d.click("section/Custom deformer");
   d.frame(2);
   d.choose("blend", "blend_linear");
@@ -177,7 +177,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   d.settle();
   d.click("radius");  // a click in the center sets the middle value
   d.settle();
-  const deform::Weighting& weighting = d.document().scheme.weighting;
+  const deform::Weighting& weighting = d.document().scheme().weighting;
   CHECK(weighting.radius > 0.05);
   CHECK(weighting.radius < 0.25);
   d.choose("weights", "weights_biharmonic");
@@ -200,7 +200,7 @@ TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_o
   CHECK(d.workspace().view.camera.pose().yaw != start.yaw);
   d.press_key(workspace::Key::home);
   d.settle();
-  for (std::uint32_t v = 0; v < d.document().pose.positions.size(); ++v) {
+  for (std::uint32_t v = 0; v < d.document().pose().positions.size(); ++v) {
     const glm::vec2 at = d.vertex(v);
     CHECK_MESSAGE((at.x > 320 && at.x < 1280 && at.y > 0 && at.y < 774), "after Home all is in view");
   }

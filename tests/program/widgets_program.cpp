@@ -20,10 +20,10 @@ namespace {
 
 // Returns all data that sliders can change.
 auto state(const workspace::Workspace& w) {
-  return std::tuple(w.document.scheme, w.document.library, w.document.timeline, w.document.pose.positions,
-                    w.document.pose.turns, w.document.probes, w.view.handling, w.preferences.layout,
-                    w.view.brush.radius, w.view.brush.share, w.document.history.undo_label(),
-                    w.document.history.can_redo());
+  return std::tuple(w.document.scheme(), w.document.library(), w.document.timeline(),
+                    w.document.pose().positions, w.document.pose().turns, w.document.probes(),
+                    w.view.handling, w.preferences.layout, w.view.brush.radius, w.view.brush.share,
+                    w.document.history().undo_label(), w.document.history().can_redo());
 }
 
 bool has_tooltip() {
@@ -71,7 +71,7 @@ TEST_CASE("esc_cancels_any_slider_or_handle") {
   Held d;
   document::set_radius(d.document(), 0.3);
   document::undo(d.document());
-  REQUIRE(d.document().history.can_redo());
+  REQUIRE(d.document().history().can_redo());
   const glm::vec2 right{31, 0};
   for (const char* slider : {"rotation", "stretch", "pose_weight/0", "soft_radius"})
     d.check_called_off(slider, right);
@@ -109,8 +109,8 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     CAPTURE(slider);
     begin(slider, twice);
     const interact::Tool tool = d.workspace().view.tool;
-    const auto kind = d.document().selection.kind();
-    const auto method = d.document().method;
+    const auto kind = d.document().selection().kind();
+    const auto method = d.document().method();
     for (const char c : text) {
       if (c != '.') d.key(c, true);
       d.type(std::string(1, c));
@@ -119,14 +119,14 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     d.press_key(workspace::Key::enter);
     d.frame(3);
     CHECK(d.workspace().view.tool == tool);
-    CHECK(d.document().selection.kind() == kind);
-    CHECK(d.document().method == method);
+    CHECK(d.document().selection().kind() == kind);
+    CHECK(d.document().method() == method);
     CHECK(d.workspace().panels.typed_slider.name.empty());
   };
-  auto& scheme = d.document().scheme;
-  const auto pose_weight = [&] { return d.document().library.poses[0].weight; };
+  auto& scheme = d.document().scheme();
+  const auto pose_weight = [&] { return d.document().library().poses[0].weight; };
   auto& w = d.workspace();
-  const double diagonal = d.document().space.diagonal();
+  const double diagonal = d.document().space().diagonal();
   const struct {
     const char* command;  // if not empty, runs first
     const char *slider, *text;
@@ -152,7 +152,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   d.run("tool_move");
   d.run("add_probe");
   type("probe_turn_radius", "21");
-  CHECK(d.document().probes.all[0].turn.radius == doctest::Approx(0.21 * diagonal));
+  CHECK(d.document().probes().all[0].turn.radius == doctest::Approx(0.21 * diagonal));
 
   // Esc keeps the old number. After that, a click moves the slider.
   const auto before = state(d.workspace());
@@ -190,7 +190,7 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
 TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
   Held d;
   d.workspace().preferences.layout.sections["Cage"] = true;
-  d.document().selection.apply(std::vector<std::uint32_t>{0}, document::SelectMode::replace);
+  d.document().changed_selection().apply(std::vector<std::uint32_t>{0}, document::SelectMode::replace);
   for (const double x : {-0.0036471234, -123.456789, -1.23456789e-5, 0.5}) {
     CAPTURE(x);
     d.document().changed_pose().positions[0][0] = x;
@@ -386,9 +386,10 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   d.settle();
   d.move({720, 880});
   CHECK_FALSE(d.viewer().recorder().find("pose_note/0"));
-  const double middle = d.document().cage_file.bounds.low[0] +
-                        0.7 * (d.document().cage_file.bounds.high[0] - d.document().cage_file.bounds.low[0]);
-  deform::Pose pose = d.document().pose;
+  const double middle =
+      d.document().cage_file().bounds.low[0] +
+      0.7 * (d.document().cage_file().bounds.high[0] - d.document().cage_file().bounds.low[0]);
+  deform::Pose pose = d.document().pose();
   for (auto& p : pose.positions)
     if (p[0] > middle) p = {p[0], -p[1], -p[2]};
   document::set_pose(d.document(), pose);

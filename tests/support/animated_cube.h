@@ -26,18 +26,18 @@ struct AnimatedCube : CubeFiles {
   document::Document document = document::open_document(model, cage);
 
   AnimatedCube() {
-    const deform::Cage& c = *document.cage;
-    document.timeline.keys = {{1, whole(deform::rest_pose(c))},
-                              {9, whole(turned_cage(c, 90, 1))},
-                              {17, whole(turned_cage(c, 190, 1, -0.25))}};
-    document.timeline.first = 1;
-    document.timeline.last = 17;
+    const deform::Cage& c = *document.cage();
+    document.changed_timeline().keys = {{1, whole(deform::rest_pose(c))},
+                                        {9, whole(turned_cage(c, 90, 1))},
+                                        {17, whole(turned_cage(c, 190, 1, -0.25))}};
+    document.changed_timeline().first = 1;
+    document.changed_timeline().last = 17;
   }
 
   document::WholePose pose(double frame) const {
     document::VectorCache vectors;
-    vectors.follow(document.cage);
-    return document::Animation(document.timeline, vectors).at(frame);
+    vectors.follow(document.cage());
+    return document::Animation(document.timeline(), vectors).at(frame);
   }
 };
 

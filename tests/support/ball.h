@@ -24,7 +24,7 @@ inline mesh::Surface ball(double radius, int levels = 4) {
 
 inline workspace::Workspace ball_workspace(int levels = 4) {
   workspace::Workspace w;
-  w.document = document::document_of(document::generated_surface(ball(1, levels), "ball"));
+  w.document = document::Document(document::generated_surface(ball(1, levels), "ball"));
   document::set_cage(w.document, document::generated_surface(ball(1.2, levels), "larger ball"));
   w.view.viewport = {{1000, 800}, {200, 0}, {800, 780}};
   workspace::frame_all(w, false);

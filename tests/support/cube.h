@@ -17,14 +17,22 @@ inline mesh::Surface cube(double half) {
   return mesh::from_triangles(std::move(points), triangles);
 }
 
+inline document::OpenedSurface surface_without_file(mesh::Surface surface) {
+  document::OpenedSurface opened;
+  opened.bounds = mesh::used_bounds(surface);
+  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+  return opened;
+}
+
+/// Replaces the cage, and puts it at rest.
+inline void put_cage(document::Document& document, const mesh::Surface& surface) {
+  auto cage = std::make_shared<const deform::Cage>(deform::make_cage(surface));
+  document.replace_cage(surface_without_file(surface), cage, deform::rest_pose(*cage));
+}
+
 inline document::Document cube_document() {
-  document::Document document;
-  document.model.surface = std::make_shared<const mesh::Surface>(cube(1));
-  document.cage_file.surface = std::make_shared<const mesh::Surface>(cube(1.5));
-  document.cage = std::make_shared<const deform::Cage>(deform::make_cage(cube(1.5)));
-  document.pose = deform::rest_pose(*document.cage);
-  document.model.bounds = mesh::used_bounds(*document.model.surface);
-  document.space = document::space_for(document.model.bounds);
+  document::Document document(surface_without_file(cube(1)));
+  put_cage(document, cube(1.5));
   return document;
 }
 

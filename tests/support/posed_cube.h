@@ -49,7 +49,7 @@ inline document::Timeline three_keys() {
 
 /// Adds two named poses: "turned" (by 90 degrees) and "wide" (twice the width).
 inline void add_two_poses(document::Document& document) {
-  document.library.poses = {{"turned", whole(turned_cube(90))}, {"wide", whole(stretched_cube(2))}};
+  document.changed_library().poses = {{"turned", whole(turned_cube(90))}, {"wide", whole(stretched_cube(2))}};
 }
 
 /// Returns the largest distance between corresponding vertices, in diagonals of the cage.

@@ -59,17 +59,17 @@ TEST_CASE("an_unknown_command_is_not_found_a_disabled_one_does_nothing_and_a_tog
 TEST_CASE(
     "whatever_command_runs_first_an_empty_window_stays_empty_and_a_cage_is_as_it_was_once_all_is_taken_"
     "back") {
-  const deform::Pose rest = test::cube_workspace().document.pose;
+  const deform::Pose rest = test::cube_workspace().document.pose();
   for (const auto& command : commands()) {
     CAPTURE(command.name);
     Workspace empty, w = test::cube_workspace();
     test::run_command(empty, command.name);
-    CHECK_FALSE(empty.document.model.surface);
+    CHECK_FALSE(empty.document.model().surface);
     CHECK_FALSE(empty.document.has_cage());
     test::run_command(w, command.name);
     while (test::run_command(w, "undo")) {
     }
-    CHECK(w.document.pose.positions == rest.positions);
+    CHECK(w.document.pose().positions == rest.positions);
     CHECK_FALSE(differs_from_rest(w.document));
   }
 }
@@ -78,7 +78,7 @@ TEST_CASE("undo_and_redo_name_their_step_and_any_edit_of_the_history_can_be_gone
   Workspace w = test::cube_workspace();
   const Command &undo = *find_command("undo"), &redo = *find_command("redo");
   CHECK(undo.label_now(w) == "Undo");
-  const auto rest = w.document.pose.positions;
+  const auto rest = w.document.pose().positions;
   for (int i = 1; i <= 3; ++i) {
     record_edit(w.document, "move " + std::to_string(i));
     w.document.changed_pose().positions[0][0] = 10 * i;
@@ -90,8 +90,8 @@ TEST_CASE("undo_and_redo_name_their_step_and_any_edit_of_the_history_can_be_gone
   CHECK(redo.label_now(w) == "Redo Move 3");
   for (const std::size_t edits : {3u, 1u, 0u, 2u}) {
     go_to_edit(w.document, edits);
-    CHECK(w.document.history.position() == edits);
-    CHECK(w.document.pose.positions[0][0] == (edits > 0 ? 10.0 * static_cast<double>(edits) : rest[0][0]));
+    CHECK(w.document.history().position() == edits);
+    CHECK(w.document.pose().positions[0][0] == (edits > 0 ? 10.0 * static_cast<double>(edits) : rest[0][0]));
   }
 }
 
@@ -99,98 +99,98 @@ TEST_CASE("methods_switch_without_touching_history_pose_or_weights") {
   Workspace w = test::cube_workspace();
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "method_sd"));
-  CHECK(w.document.method == sym3::Method::sd);
+  CHECK(w.document.method() == sym3::Method::sd);
   CHECK(w.document.revisions().method > before.method);
   CHECK(w.document.revisions().pose == before.pose);
   CHECK(w.document.revisions().weights == before.weights);
-  CHECK_FALSE(w.document.history.can_undo());
+  CHECK_FALSE(w.document.history().can_undo());
 }
 
 TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   Workspace w = test::cube_workspace();
-  w.document.scheme = {};
+  w.document.put_scheme({});
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "blend_linear"));
-  CHECK(w.document.scheme.blend == deform::Blend::linear);
+  CHECK(w.document.scheme().blend == deform::Blend::linear);
   CHECK(w.document.revisions().weights == before.weights);
   CHECK(w.document.revisions().method > before.method);
   CHECK_FALSE(test::run_command(w, "method_sd"));
   CHECK(test::run_command(w, "weights_mean_value"));
-  CHECK(w.document.scheme.weighting.weights == deform::Weights::mean_value);
+  CHECK(w.document.scheme().weighting.weights == deform::Weights::mean_value);
   CHECK(w.document.revisions().weights > before.weights);
   CHECK(w.document.revisions().surfaces == before.surfaces);
-  CHECK(test::edit_count(w.document.history) == 2);
+  CHECK(test::edit_count(w.document.history()) == 2);
   CHECK(test::run_command(w, "weights_mean_value"));
-  CHECK(test::edit_count(w.document.history) == 2);
+  CHECK(test::edit_count(w.document.history()) == 2);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme.blend == deform::Blend::linear);
-  CHECK(w.document.scheme.weighting.weights == deform::Weights::inverse);
+  CHECK(w.document.scheme().blend == deform::Blend::linear);
+  CHECK(w.document.scheme().weighting.weights == deform::Weights::inverse);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme == deform::Scheme());
+  CHECK(w.document.scheme() == deform::Scheme());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme.blend == deform::Blend::linear);
+  CHECK(w.document.scheme().blend == deform::Blend::linear);
 }
 
 TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
   Workspace w = test::cube_workspace();
   for (const double turn : {0.9, 0.5, 0.25}) set_amounts(w.document, {turn, 1});
   set_amounts(w.document, {0.25, 1});  // changes nothing
-  CHECK(test::edit_count(w.document.history) == 1);
+  CHECK(test::edit_count(w.document.history()) == 1);
   set_radius(w.document, 0.3);
   set_amounts(w.document, {0.25, 2});
-  CHECK(test::edit_count(w.document.history) == 3);
+  CHECK(test::edit_count(w.document.history()) == 3);
   CHECK(test::run_command(w, "blend_linear"));
-  CHECK(w.document.scheme.amounts == deform::Amounts{0.25, 2});
+  CHECK(w.document.scheme().amounts == deform::Amounts{0.25, 2});
   for (int n = 0; n < 4; ++n) CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme.amounts.whole());
+  CHECK(w.document.scheme().amounts.whole());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme.amounts == deform::Amounts{0.25, 1});
+  CHECK(w.document.scheme().amounts == deform::Amounts{0.25, 1});
 }
 
 TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a_row_are_one") {
   Workspace w = test::cube_workspace();
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "toggle_arap"));
-  CHECK(w.document.scheme.iterations == 1);
+  CHECK(w.document.scheme().iterations == 1);
   CHECK(w.document.revisions().method > before.method);
   CHECK(w.document.revisions().weights == before.weights);
   for (const int iterations : {3, 4, 7}) set_iterations(w.document, iterations);
-  CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::edit_count(w.document.history) == 1);
+  CHECK(w.document.scheme().iterations == 7);
+  CHECK(test::edit_count(w.document.history()) == 1);
   CHECK(test::run_command(w, "undo"));
-  CHECK_FALSE(w.document.scheme.stitched());
+  CHECK_FALSE(w.document.scheme().stitched());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme.iterations == 7);
+  CHECK(w.document.scheme().iterations == 7);
   CHECK(test::run_command(w, "weights_harmonic"));  // stitching stays on
-  CHECK(w.document.scheme.iterations == 7);
+  CHECK(w.document.scheme().iterations == 7);
   CHECK(test::run_command(w, "weights_mean_value"));  // these weights do not support stitching
-  CHECK_FALSE(w.document.scheme.stitched());
+  CHECK_FALSE(w.document.scheme().stitched());
   CHECK_FALSE(test::run_command(w, "toggle_arap"));
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme.iterations == 7);
+  CHECK(w.document.scheme().iterations == 7);
   // Consecutive changes of the constraints form one edit. While stitching is off, the constraints are kept.
-  const auto edits = test::edit_count(w.document.history);
+  const auto edits = test::edit_count(w.document.history());
   for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
-  CHECK(test::edit_count(w.document.history) == edits + 1);
+  CHECK(test::edit_count(w.document.history()) == edits + 1);
   CHECK(test::run_command(w, "toggle_arap"));
-  CHECK_FALSE(w.document.scheme.stitched());
-  CHECK(w.document.scheme.holding.radius == 0.1);
+  CHECK_FALSE(w.document.scheme().stitched());
+  CHECK(w.document.scheme().holding.radius == 0.1);
 }
 
 TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "reset_pose");
-  const std::size_t edits = test::edit_count(w.document.history);
+  const std::size_t edits = test::edit_count(w.document.history());
   test::run_command(w, "weights_mean_value");
   revert_scheme(w.document, deform::Scheme());
-  CHECK(w.document.scheme == deform::Scheme());
-  CHECK(test::edit_count(w.document.history) == edits);
-  w.document.pose.positions[0][0] += 0.25;
+  CHECK(w.document.scheme() == deform::Scheme());
+  CHECK(test::edit_count(w.document.history()) == edits);
+  w.document.changed_pose().positions[0][0] += 0.25;
   test::run_command(w, "weights_mean_value");
   test::run_command(w, "reset_pose");
   revert_scheme(w.document, deform::Scheme());  // keeps both edits: the last edit did not change the scheme
-  CHECK(test::edit_count(w.document.history) == edits + 2);
-  CHECK(w.document.scheme == deform::Scheme());
+  CHECK(test::edit_count(w.document.history()) == edits + 2);
+  CHECK(w.document.scheme() == deform::Scheme());
 }
 
 TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
@@ -199,13 +199,13 @@ TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
        {std::pair{"select_vertices", 8u}, {"select_edges", 18u}, {"select_faces", 12u}}) {
     CHECK(test::run_command(w, name));
     CHECK(test::run_command(w, "select_all"));
-    CHECK(w.document.selection.size() == count);
+    CHECK(w.document.selection().size() == count);
     CHECK(test::run_command(w, "invert_selection"));
-    CHECK(w.document.selection.empty());
+    CHECK(w.document.selection().empty());
     CHECK_FALSE(test::run_command(w, "select_linked"));
     w.view.interaction.hovered = 3;
     CHECK(test::run_command(w, "select_linked"));
-    CHECK(w.document.selection.size() == count);
+    CHECK(w.document.selection().size() == count);
     CHECK(test::run_command(w, "select_none"));
     w.view.interaction.hovered.reset();
   }

@@ -34,17 +34,17 @@ struct Played {
     follow_time(w, 0);
   }
   Document& document() { return w.document; }
-  Timeline& timeline() { return w.document.timeline; }
-  const std::vector<mesh::Point>& positions() const { return w.document.pose.positions; }
+  Timeline& timeline() { return w.document.changed_timeline(); }
+  const std::vector<mesh::Point>& positions() const { return w.document.pose().positions; }
   void pass(double seconds) { follow_time(w, seconds); }
   void go_to(double frame) { go_to_frame(w, frame), pass(0); }
   void take_back() { undo(document()), pass(0); }
   void put(const deform::Pose& pose) {
     record_edit(document(), "move by hand");
-    document().pose = pose;
+    document().changed_pose() = pose;
   }
   void hold_something() { w.view.interaction.brushing = SelectMode::replace; }
-  std::size_t edits() const { return test::edit_count(w.document.history); }
+  std::size_t edits() const { return test::edit_count(w.document.history()); }
   bool stands_at(double degrees) const {
     return distance(positions(), turned_cube(degrees).positions) < 1e-12;
   }
@@ -62,12 +62,12 @@ TEST_CASE("a_frame_shows_its_pose_and_its_camera_and_is_no_edit") {
   CHECK(p.positions() == turned_cube(180).positions);
   go_to_frame(p.w, 3.5);
   CHECK(p.stands_at(45));
-  CHECK(p.document().frame == 3.5);
+  CHECK(p.document().frame() == 3.5);
   CHECK(current_frame(p.document()) == 4);
   go_to_frame(p.w, 1e300);
-  CHECK(p.document().frame == Timeline::largest_frame);
+  CHECK(p.document().frame() == Timeline::largest_frame);
   go_to_frame(p.w, std::nan(""));
-  CHECK(p.document().frame == Timeline::largest_frame);
+  CHECK(p.document().frame() == Timeline::largest_frame);
   CHECK_FALSE(has_unkeyed_pose(p.w));
   CHECK(p.edits() == 0);
 }
@@ -80,29 +80,29 @@ TEST_CASE("an_unkeyed_pose_survives_a_frame_change_unless_it_is_rest") {
     change();
     p.pass(0);
     CHECK(has_unkeyed_pose(p.w));
-    const auto there = p.document().pose;
-    const auto probes = p.document().probes;
+    const auto there = p.document().pose();
+    const auto probes = p.document().probes();
     go_to_frame(p.w, 11);
     CHECK(p.positions() == turned_cube(180).positions);
     CHECK(p.edits() == edits + 2);
     undo(p.document());
     CHECK(p.positions() == there.positions);
-    CHECK(p.document().probes == probes);
-    CHECK(p.document().frame == 6);
+    CHECK(p.document().probes() == probes);
+    CHECK(p.document().frame() == 6);
     p.take_back();
     CHECK_FALSE(has_unkeyed_pose(p.w));
   };
   lost_without_a_word([&] { p.put(turned_cube(33)); });
   lost_without_a_word([&] {
     // A full turn changes the pose, but not the positions.
-    deform::Pose pose = p.document().pose;
+    deform::Pose pose = p.document().pose();
     pose.turns[0][2] += 2 * std::numbers::pi;
     p.put(pose);
   });
-  p.document().probes.all.resize(1);
+  p.document().changed_probes().all.resize(1);
   lost_without_a_word([&] {
     record_edit(p.document(), "move a probe");
-    p.document().probes.all[0].pose.move = {1, 2, 3};
+    p.document().changed_probes().all[0].pose.move = {1, 2, 3};
   });
   go_to_frame(p.w, 6);
   reset_pose(p.document());
@@ -127,7 +127,7 @@ TEST_CASE("commands_change_the_frame_while_the_timeline_is_open_and_with_keys_or
   p.timeline().keys.clear();
   all_are(true, steps), all_are(false, to_keys);
   CHECK(test::run_command(p.w, "next_frame"));
-  CHECK(p.document().frame == 2);
+  CHECK(p.document().frame() == 2);
   p.timeline() = test::three_keys();
   p.w.preferences.layout.timeline = false;
   all_are(false, steps), all_are(false, to_keys);
@@ -212,9 +212,9 @@ TEST_CASE("a_mix_ends_where_time_goes_on_and_comes_back_with_undo") {
   set_weight(p.document(), p.w.playback.vectors, 1, 0.5);
   go_to_frame(p.w, 6);
   CHECK(p.stands_at(90));
-  CHECK_FALSE(p.document().library.mixes());
+  CHECK_FALSE(p.document().library().mixes());
   undo(p.document());
-  CHECK(p.document().library.poses[1].weight == 0.5);
+  CHECK(p.document().library().poses[1].weight == 0.5);
 }
 
 TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_from_them") {
@@ -240,7 +240,7 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   weights_are(0, 1);
   p.go_to(6);
   weights_are(0.2, 0.6);
-  CHECK_FALSE(p.document().library.mixes());
+  CHECK_FALSE(p.document().library().mixes());
   REQUIRE(test::run_command(p.w, "set_key"));  // sets a key with the played pose
   CHECK(p.timeline().keys[1].mix.size() == 2);
   p.take_back();
@@ -249,7 +249,7 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, shown_weights(p.w)));
   CHECK(distance(before, p.positions()) < 1e-5);
   weights_are(0.2, 0.6);
-  CHECK(p.document().library.mixes());
+  CHECK(p.document().library().mixes());
   undo(p.document());
   CHECK(p.positions() == before);
   p.pass(0);
@@ -267,10 +267,10 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
 
 TEST_CASE("the_timeline_is_ignored_during_drags_and_cage_editing") {
   Played p;
-  p.document().selection.apply(std::vector<std::uint32_t>{0}, SelectMode::replace);
+  p.document().changed_selection().apply(std::vector<std::uint32_t>{0}, SelectMode::replace);
   p.hold_something();
   go_to_frame(p.w, 6);
-  CHECK(p.document().frame == 1);
+  CHECK(p.document().frame() == 1);
   start_playing(p.w);
   CHECK_FALSE(p.w.playback.playing);
   p.w.view.interaction.brushing.reset();
@@ -283,11 +283,11 @@ TEST_CASE("the_timeline_is_ignored_during_drags_and_cage_editing") {
   p.w.view.interaction.brushing.reset();
   begin_cage_editing(p.document());
   p.pass(0);
-  const double frame = p.document().frame;
+  const double frame = p.document().frame();
   go_to_frame(p.w, 20);
   start_playing(p.w);
   p.pass(0.1);
-  CHECK(p.document().frame == frame);
+  CHECK(p.document().frame() == frame);
   CHECK(p.positions() == test::cube(1.5).positions);
   CHECK(animation_of(p.w) == nullptr);
   end_cage_editing(p.document());
@@ -299,16 +299,16 @@ TEST_CASE("it_plays_by_seconds_and_comes_to_rest_at_a_whole_frame") {
   Played p;
   start_playing(p.w);
   p.pass(0.53);
-  CHECK(p.document().frame == doctest::Approx(6.3));
+  CHECK(p.document().frame() == doctest::Approx(6.3));
   CHECK(p.stands_at(95.4));
   stop_playing(p.w);
-  CHECK(p.document().frame == 6);
+  CHECK(p.document().frame() == 6);
   CHECK(p.stands_at(90));
   p.pass(1);
-  CHECK(p.document().frame == 6);
+  CHECK(p.document().frame() == 6);
   start_playing(p.w);
   p.pass(2.6);  // plays beyond the end and starts again
-  CHECK(p.document().frame == doctest::Approx(2));
+  CHECK(p.document().frame() == doctest::Approx(2));
   stop_playing(p.w);
   p.timeline().repeat = Repeat::once;
   start_playing(p.w);
@@ -316,7 +316,7 @@ TEST_CASE("it_plays_by_seconds_and_comes_to_rest_at_a_whole_frame") {
   CHECK_FALSE(p.w.playback.playing);
   CHECK(p.positions() == test::stretched_cube(2).positions);
   start_playing(p.w);
-  CHECK(p.document().frame == 1);
+  CHECK(p.document().frame() == 1);
   CHECK(p.edits() == 0);
 }
 
@@ -327,7 +327,7 @@ TEST_CASE("without_keys_nothing_plays") {
   p.pass(1);
   CHECK_FALSE(p.w.playback.playing);
   go_to_frame(p.w, 7);
-  CHECK(p.document().frame == 7);
+  CHECK(p.document().frame() == 7);
   CHECK(p.positions() == test::cube(1.5).positions);
 }
 
@@ -385,18 +385,18 @@ TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   CHECK(p.timeline().keys.size() == 4);
   p.take_back();
   CHECK(p.timeline().keys.size() == 3);
-  CHECK(p.document().history.can_redo());
+  CHECK(p.document().history().can_redo());
 }
 
 TEST_CASE("steps_go_from_key_to_key_and_round") {
   Played p;
   p.timeline().cameras = {{5, {}}};
   std::vector<double> frames;
-  for (int i = 0; i < 4; ++i) go_to_key(p.w, true), frames.push_back(p.document().frame);
+  for (int i = 0; i < 4; ++i) go_to_key(p.w, true), frames.push_back(p.document().frame());
   CHECK(frames == std::vector<double>{5, 11, 31, 1});
-  for (double& frame : frames) go_to_key(p.w, false), frame = p.document().frame;
+  for (double& frame : frames) go_to_key(p.w, false), frame = p.document().frame();
   CHECK(frames == std::vector<double>{31, 11, 5, 1});
   go_to_frame(p.w, 7.5);
   go_to_key(p.w, false);
-  CHECK(p.document().frame == 5);
+  CHECK(p.document().frame() == 5);
 }

@@ -17,7 +17,7 @@ namespace {
 
 struct Mouse : test::Mouse {
   Mouse() : test::Mouse(test::cube_workspace()) {}
-  std::vector<std::uint32_t> selected() const { return w.document.selection.indices(); }
+  std::vector<std::uint32_t> selected() const { return w.document.selection().indices(); }
 };
 
 }  // namespace
@@ -55,9 +55,9 @@ TEST_CASE("a_dragged_vertex_follows_the_cursor_to_the_pixel_in_both_cameras") {
     m.drag(from, to);
     CHECK(glm::distance(m.vertex(7), to) < 0.01f);
     CHECK(m.selected() == std::vector<std::uint32_t>{7});
-    CHECK(test::edit_count(m.w.document.history) == 1);
+    CHECK(test::edit_count(m.w.document.history()) == 1);
     undo(m.w.document);
-    CHECK(m.w.document.pose.positions == m.w.document.cage->surface.positions);
+    CHECK(m.w.document.pose().positions == m.w.document.cage()->surface.positions);
   }
 }
 
@@ -65,16 +65,16 @@ TEST_CASE("esc_or_the_right_button_during_a_drag_restores_exactly") {
   for (const bool by_escape : {true, false}) {
     Mouse m;
     m.click(m.vertex(1));
-    const auto before = m.w.document.pose.positions;
+    const auto before = m.w.document.pose().positions;
     m.begin(m.vertex(7), m.vertex(7) + glm::vec2(40, 40));
-    CHECK(m.w.document.pose.positions != before);
+    CHECK(m.w.document.pose().positions != before);
     by_escape ? m.press_escape() : m.press(right_button);
-    CHECK(m.w.document.pose.positions == before);
+    CHECK(m.w.document.pose().positions == before);
     CHECK(m.selected() == std::vector<std::uint32_t>{1});
     m.move({500, 500});
     m.release();
-    CHECK(m.w.document.pose.positions == before);
-    CHECK(test::edit_count(m.w.document.history) == 0);
+    CHECK(m.w.document.pose().positions == before);
+    CHECK(test::edit_count(m.w.document.history()) == 0);
   }
 }
 
@@ -138,20 +138,20 @@ TEST_CASE("a_press_over_a_panel_or_on_a_hidden_cage_drags_nothing") {
 
 TEST_CASE("edges_are_hovered_clicked_and_dragged") {
   Mouse m;
-  m.w.document.selection = Selection(ElementKind::edge);
+  m.w.document.changed_selection() = Selection(ElementKind::edge);
   const glm::vec2 middle = 0.5f * (m.vertex(5) + m.vertex(7));
   m.move(middle);
   REQUIRE(m.w.view.interaction.hovered);
-  CHECK(m.w.document.cage->edges[*m.w.view.interaction.hovered] == mesh::Edge{5, 7});
+  CHECK(m.w.document.cage()->edges[*m.w.view.interaction.hovered] == mesh::Edge{5, 7});
   m.drag(middle, middle + glm::vec2(30, 10));
   CHECK(m.selected().size() == 1);
   CHECK(glm::distance(0.5f * (m.vertex(5) + m.vertex(7)), middle + glm::vec2(30, 10)) < 2);
-  CHECK(m.w.document.history.undo_label() == "move an edge");
+  CHECK(m.w.document.history().undo_label() == "move an edge");
 }
 
 TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
   Mouse m;
-  m.w.document.selection = Selection(ElementKind::edge);
+  m.w.document.changed_selection() = Selection(ElementKind::edge);
   m.w.view.tool = Tool::rotate;
   m.click(0.5f * (m.vertex(5) + m.vertex(7)));
   const std::vector<std::uint32_t> selected = m.selected();
@@ -168,7 +168,7 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
         ++tried;
         m.drag(at, at + 25.0f * glm::vec2(-way.y, way.x));
         CHECK(m.selected() == selected);
-        CHECK(m.w.document.history.undo_label() == "rotate an edge");
+        CHECK(m.w.document.history().undo_label() == "rotate an edge");
         undo(m.w.document);
         m.move({1, 1});
       }
@@ -179,7 +179,7 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
 
 TEST_CASE("a_face_must_be_selected_before_it_is_dragged_and_a_drag_on_another_draws_a_box") {
   Mouse m;
-  m.w.document.selection = Selection(ElementKind::face);
+  m.w.document.changed_selection() = Selection(ElementKind::face);
   m.w.view.tool = Tool::select;
   const glm::vec2 inside = (m.vertex(4) + m.vertex(5) + m.vertex(6)) / 3.0f;
   m.drag(inside, inside + glm::vec2(30, 10));
@@ -188,7 +188,7 @@ TEST_CASE("a_face_must_be_selected_before_it_is_dragged_and_a_drag_on_another_dr
   REQUIRE(m.selected().size() == 1);
   m.drag(inside, inside + glm::vec2(30, 10));
   CHECK(differs_from_rest(m.w.document));
-  CHECK(m.w.document.history.undo_label() == "move a face");
+  CHECK(m.w.document.history().undo_label() == "move a face");
 }
 
 TEST_CASE("a_handle_of_the_gizmo_is_hovered_and_used_and_a_click_on_it_keeps_the_selection") {
@@ -201,7 +201,7 @@ TEST_CASE("a_handle_of_the_gizmo_is_hovered_and_used_and_a_click_on_it_keeps_the
   m.click(gizmo.arms[1].tip);
   CHECK(m.selected() == std::vector<std::uint32_t>{7});
   m.drag(gizmo.arms[1].tip, gizmo.arms[1].tip + glm::vec2(20, -40));
-  const auto& p = m.w.document.pose.positions[7];
+  const auto& p = m.w.document.pose().positions[7];
   CHECK(p[0] == 1.5);
   CHECK(p[1] > 1.6);
   CHECK(p[2] == 1.5);
@@ -213,27 +213,27 @@ TEST_CASE("numbers_typed_during_a_drag_set_it_and_enter_keeps_it") {
   m.input.typed = "z.25";
   m.step();
   m.input.typed.clear();
-  CHECK(m.w.document.pose.positions[7] == mesh::Point{1.5, 1.5, 1.75});
+  CHECK(m.w.document.pose().positions[7] == mesh::Point{1.5, 1.5, 1.75});
   m.input.enter = true;
   m.step();
   m.input.enter = false;
   CHECK_FALSE(m.w.view.interaction.drag);
   m.move({300, 300});
   m.release();
-  CHECK(m.w.document.pose.positions[7] == mesh::Point{1.5, 1.5, 1.75});
-  CHECK(test::edit_count(m.w.document.history) == 1);
+  CHECK(m.w.document.pose().positions[7] == mesh::Point{1.5, 1.5, 1.75});
+  CHECK(test::edit_count(m.w.document.history()) == 1);
 }
 
 TEST_CASE("ctrl_pressed_while_the_mouse_rests_snaps_at_once") {
   Mouse m;
   m.begin(m.vertex(7), m.vertex(7) + glm::vec2(33, 7));
-  const auto free = m.w.document.pose.positions[7];
+  const auto free = m.w.document.pose().positions[7];
   m.input.ctrl = true;
   m.step();
-  CHECK(m.w.document.pose.positions[7] != free);
+  CHECK(m.w.document.pose().positions[7] != free);
   m.input.ctrl = false;
   m.step();
-  CHECK(m.w.document.pose.positions[7] == free);
+  CHECK(m.w.document.pose().positions[7] == free);
 }
 
 TEST_CASE("the_axis_widget_takes_clicks_for_views_and_drags_for_orbits") {
@@ -255,11 +255,11 @@ TEST_CASE("the_axis_widget_takes_clicks_for_views_and_drags_for_orbits") {
 
 TEST_CASE("another_kind_of_element_chosen_between_press_and_drag_ends_it") {
   Mouse m;
-  m.w.document.selection = Selection(ElementKind::edge);
-  const auto before = m.w.document.pose.positions;
+  m.w.document.changed_selection() = Selection(ElementKind::edge);
+  const auto before = m.w.document.pose().positions;
   for (const bool dragged : {true, false}) {
-    const auto last = std::uint32_t(m.w.document.cage->edges.size() - 1);
-    const auto [a, b] = m.w.document.cage->edges[last];
+    const auto last = std::uint32_t(m.w.document.cage()->edges.size() - 1);
+    const auto [a, b] = m.w.document.cage()->edges[last];
     m.move(0.5f * (m.vertex(a) + m.vertex(b)));
     REQUIRE(m.w.view.interaction.hovered);
     m.press();
@@ -267,7 +267,7 @@ TEST_CASE("another_kind_of_element_chosen_between_press_and_drag_ends_it") {
     if (dragged) m.move(m.input.position + glm::vec2(40, 0));
     m.release();
     CHECK(m.selected().empty());
-    CHECK(m.w.document.pose.positions == before);
+    CHECK(m.w.document.pose().positions == before);
     select_kind(m.w.document, ElementKind::edge);
   }
 }
@@ -276,7 +276,7 @@ TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
   Mouse m;
   m.w.view.handling.soft = {.on = true, .radius = 0.1};
   const auto moved = [&] {
-    const auto &now = m.w.document.pose.positions, &rest = m.w.document.cage->surface.positions;
+    const auto &now = m.w.document.pose().positions, &rest = m.w.document.cage()->surface.positions;
     std::size_t count = 0;
     for (std::size_t v = 0; v < now.size(); ++v) count += now[v] != rest[v];
     return count;
@@ -289,5 +289,5 @@ TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
   for (int i = 0; i < 60; ++i) m.turn_wheel(-1);
   CHECK(moved() == 1);
   m.release();
-  CHECK(test::edit_count(m.w.document.history) == 1);
+  CHECK(test::edit_count(m.w.document.history()) == 1);
 }

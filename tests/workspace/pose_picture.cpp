@@ -45,24 +45,25 @@ float signed_area(const std::vector<glm::vec2>& points) {
 TEST_CASE("a_picture_fits_its_frame_and_a_smaller_pose_is_smaller") {
   const auto document = test::cube_document();
   const auto size = [&](double factor) {
-    return extent(pose_picture(document.cage->surface, scaled(*document.cage, factor).positions, UpAxis::y));
+    return extent(
+        pose_picture(document.cage()->surface, scaled(*document.cage(), factor).positions, UpAxis::y));
   };
   CHECK(size(0.5).y == doctest::Approx(0.5 * size(1).y));
   CHECK(size(4).y == doctest::Approx(size(1).y));
-  for (const auto& shape : pose_picture(document.cage->surface, document.pose.positions, UpAxis::y))
+  for (const auto& shape : pose_picture(document.cage()->surface, document.pose().positions, UpAxis::y))
     for (const auto& p : shape.points) CHECK(glm::clamp(p, glm::vec2(0), pose_picture_size) == p);
 }
 
 TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
   const auto document = test::cube_document();
   PosePictures pictures;
-  auto pose = std::make_shared<const WholePose>(WholePose{document.pose, {}});
+  auto pose = std::make_shared<const WholePose>(WholePose{document.pose(), {}});
   const auto* first = &pictures.of(document, pose, UpAxis::y);
   pictures.tidy();
   CHECK(&pictures.of(document, pose, UpAxis::y) == first);
   pose.reset();
   pictures.tidy();
-  const auto other = std::make_shared<const WholePose>(WholePose{scaled(*document.cage, 0.5), {}});
+  const auto other = std::make_shared<const WholePose>(WholePose{scaled(*document.cage(), 0.5), {}});
   CHECK(extent(pictures.of(document, other, UpAxis::y)).y < 0.6f * pose_picture_size.y);
 }
 

@@ -31,7 +31,7 @@ class RandomUser {
 public:
   explicit RandomUser(unsigned seed) : random_(seed) {
     select_all_now_and_then();
-    w.document.history = {};
+    w.document.changed_history() = {};
   }
 
   Workspace w = test::cube_workspace();
@@ -61,8 +61,8 @@ private:
 
   glm::vec2 anywhere() { return {200 + below(800), below(780)}; }
   glm::vec2 near_vertex() {
-    const Projector project(w.document.space, w.view.camera, w.view.viewport);
-    const auto at = project(w.document.pose.positions[static_cast<std::size_t>(below(8))]);
+    const Projector project(w.document.space(), w.view.camera, w.view.viewport);
+    const auto at = project(w.document.pose().positions[static_cast<std::size_t>(below(8))]);
     return at ? glm::vec2(*at) + glm::vec2(below(7) - 3, below(7) - 3) : anywhere();
   }
 
@@ -150,7 +150,7 @@ private:
     test::run_command(w, ways[below(5)]);
   }
   void use_sets() {
-    auto& sets = w.document.groups.sets;
+    auto& sets = w.document.changed_groups().sets;
     if (w.view.interaction.drag || sets.empty()) return void(test::run_command(w, "save_set"));
     const auto set = static_cast<std::size_t>(below(static_cast<int>(sets.size())));
     switch (below(4)) {
@@ -164,15 +164,15 @@ private:
     test::run_command(w, "select_all");
     static const Part parts[] = {&Probe::turn, &Probe::stretch, &Probe::move};
     static constexpr double radii[] = {0.1, 0.7, 2};
-    if (!w.view.interaction.drag && !w.document.selection.empty() &&
-        w.document.selection.kind() == ElementKind::probe)
+    if (!w.view.interaction.drag && !w.document.selection().empty() &&
+        w.document.selection().kind() == ElementKind::probe)
       set_radius(w.document, parts[below(3)], radii[below(3)]);
   }
   std::size_t any_of(std::size_t count) { return static_cast<std::size_t>(below(static_cast<int>(count))); }
   double percent(int least, int most) { return 0.01 * (least + below(most - least + 1)); }
   void use_poses() {
     Document& d = w.document;
-    auto& poses = d.library.poses;
+    auto& poses = d.library().poses;
     if (is_dragging(w)) return;
     if (poses.size() < 2) return void(keep_pose(d, w.playback.vectors, "pose"));
     const std::size_t pose = any_of(poses.size());
@@ -200,7 +200,7 @@ private:
       case 4:
         return set_play(d, {frame(), frame(), percent(0, 9999), static_cast<Repeat>(below(3)), once_in(2)});
       case 5: {
-        const Timeline before = d.timeline;
+        const Timeline before = d.timeline();
         for (int i = below(4); i >= 0; --i)
           move_keys(d, before, some, std::vector{frame(), frame(), frame()});
         return;
@@ -245,11 +245,11 @@ struct Everything {
 
 // Ignores the element kind of an empty selection, because this kind is not part of the document.
 Everything of(const Document& document) {
-  const Selection& selection = document.selection;
-  return {document.pose.positions, document.pose.turns,
-          document.probes,         selection.empty() ? Selection() : selection,
-          document.groups,         document.library,
-          document.timeline,       document.frame};
+  const Selection& selection = document.selection();
+  return {document.pose().positions, document.pose().turns,
+          document.probes(),         selection.empty() ? Selection() : selection,
+          document.groups(),         document.library(),
+          document.timeline(),       document.frame()};
 }
 
 }  // namespace
@@ -265,20 +265,20 @@ TEST_CASE("thousands_of_random_actions_are_undone_to_the_last_bit_and_redone_as_
     const Everything start = of(document);
     for (int i = 0; i < 1000; ++i) person.act();
     const Everything end = of(document);
-    for (const auto& p : document.pose.positions)
+    for (const auto& p : document.pose().positions)
       for (const double x : p) REQUIRE(std::isfinite(x));
-    for (const NamedPose& named : document.library.poses) REQUIRE(in_range(*named.pose));
-    poses += document.library.poses.size(), keys += document.timeline.keys.size();
-    const std::size_t count = test::edit_count(document.history);
+    for (const NamedPose& named : document.library().poses) REQUIRE(in_range(*named.pose));
+    poses += document.library().poses.size(), keys += document.timeline().keys.size();
+    const std::size_t count = test::edit_count(document.history());
     edits += count;
     std::size_t steps = 0;
-    for (; document.history.can_undo(); ++steps) undo(document);
-    document.frame = start.frame;  // a change of the frame is not an edit
+    for (; document.history().can_undo(); ++steps) undo(document);
+    document.put_frame(start.frame);  // a change of the frame is not an edit
     CHECK(of(document) == start);
     CHECK_FALSE(differs_from_rest(document));
     for (std::size_t i = 0; i < steps; ++i) redo(document);
     CHECK(of(document) == end);
-    CHECK(test::edit_count(document.history) == count);
+    CHECK(test::edit_count(document.history()) == count);
   }
   CHECK_MESSAGE(edits > 100 * persons, "the actions must reach the document: ", edits);
   CHECK_MESSAGE(poses > persons, "and its poses: ", poses);

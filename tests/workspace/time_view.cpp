@@ -29,9 +29,9 @@ void drag(Workspace& w, std::initializer_list<double> frames) {
 
 TEST_CASE("the_fitted_window_contains_the_playback_range_and_all_keys") {
   Workspace w = keyed_workspace({-20, 5});
-  const FrameWindow seen = fitting(w.document.timeline);
+  const FrameWindow seen = fitting(w.document.timeline());
   CHECK(seen.first < -20);
-  CHECK(seen.last > w.document.timeline.last);
+  CHECK(seen.last > w.document.timeline().last);
   CHECK(seen.frame_at(seen.share_of(7)) == doctest::Approx(7));
 }
 
@@ -80,46 +80,46 @@ TEST_CASE("a_press_selects_a_key_shift_adds_one_and_elsewhere_clears") {
 TEST_CASE("selected_keys_are_dragged_together_and_each_drag_is_one_edit") {
   Workspace w = keyed_workspace({1, 10, 20});
   set_camera_key(w.document, 10, w.view.camera.pose());
-  const Timeline before = w.document.timeline;
-  const std::size_t edits = test::edit_count(w.document.history);
+  const Timeline before = w.document.timeline();
+  const std::size_t edits = test::edit_count(w.document.history());
   w.view.time.selected = {10, 20};
   press_keys(w, 20, 20, false);
   drag(w, {22, 29, 25.2});
-  CHECK(key_frames(w.document.timeline) == std::vector{1, 15, 25});
-  CHECK(w.document.timeline.cameras.front().frame == 15);
+  CHECK(key_frames(w.document.timeline()) == std::vector{1, 15, 25});
+  CHECK(w.document.timeline().cameras.front().frame == 15);
   CHECK(w.view.time.selected == std::vector{15, 25});
-  CHECK(test::edit_count(w.document.history) == edits + 1);
+  CHECK(test::edit_count(w.document.history()) == edits + 1);
   press_keys(w, 15, 15, false);
   drag(w, {15.2});  // a click without a drag is not an edit
-  CHECK(test::edit_count(w.document.history) == edits + 1);
+  CHECK(test::edit_count(w.document.history()) == edits + 1);
   w.view.time.selected = {15, 25};
   press_keys(w, 15, 15, false);
   drag(w, {1e9});
   CHECK(w.view.time.selected == std::vector{Timeline::largest_frame - 10, Timeline::largest_frame});
-  CHECK(test::edit_count(w.document.history) == edits + 2);
+  CHECK(test::edit_count(w.document.history()) == edits + 2);
   undo(w.document);
   undo(w.document);
-  CHECK(w.document.timeline == before);
+  CHECK(w.document.timeline() == before);
 }
 
 TEST_CASE("a_drag_over_other_keys_and_back_takes_none_away") {
   Workspace w = keyed_workspace({1, 10, 20});
   press_keys(w, 10, 10, false);
   drag_time(w, 20);
-  CHECK(key_frames(w.document.timeline) == std::vector{1, 20});
+  CHECK(key_frames(w.document.timeline()) == std::vector{1, 20});
   drag_time(w, 12);
-  CHECK(key_frames(w.document.timeline) == std::vector{1, 12, 20});
+  CHECK(key_frames(w.document.timeline()) == std::vector{1, 12, 20});
   cancel_time(w);
-  CHECK(key_frames(w.document.timeline) == std::vector{1, 10, 20});
+  CHECK(key_frames(w.document.timeline()) == std::vector{1, 10, 20});
   CHECK(w.view.time.selected == std::vector{10});
 }
 
 TEST_CASE("the_ruler_goes_to_whole_frames") {
   Workspace w = keyed_workspace({1, 10});
   press_ruler(w, 4.4);
-  CHECK(w.document.frame == 4);
+  CHECK(w.document.frame() == 4);
   drag(w, {7.6});
-  CHECK(w.document.frame == 8);
+  CHECK(w.document.frame() == 8);
 }
 
 TEST_CASE("panning_moves_what_is_seen_and_escape_takes_it_back") {
@@ -134,13 +134,13 @@ TEST_CASE("panning_moves_what_is_seen_and_escape_takes_it_back") {
 
 TEST_CASE("easing_is_of_the_selected_keys_or_of_the_one_before_the_frame") {
   Workspace w = keyed_workspace({1, 10, 20});
-  w.document.frame = 12;
+  w.document.put_frame(12);
   CHECK(eased_keys(w) == std::vector{10});
   w.view.time.selected = {1, 10, 20};  // no key follows the key at 20
   CHECK(eased_keys(w) == std::vector{1, 10});
   w.view.time.selected = {20};
   CHECK(eased_keys(w) == std::vector{10});
-  w.document.frame = 0;
+  w.document.put_frame(0);
   CHECK(eased_keys(w).empty());
 }
 
@@ -152,10 +152,10 @@ TEST_CASE("other_edits_are_disabled_while_keys_are_dragged") {
   CHECK_FALSE(test::run_command(w, "set_key"));
   release_time(w);
   CHECK(test::run_command(w, "undo"));
-  CHECK(key_frames(w.document.timeline) == std::vector{1, 10});
+  CHECK(key_frames(w.document.timeline()) == std::vector{1, 10});
   w.view.time.selected = {1};
   CHECK_FALSE(test::run_command(w, "delete_keys"));
   w.view.time.hovered = true;
   CHECK(test::run_command(w, "delete_keys"));
-  CHECK(key_frames(w.document.timeline) == std::vector{10});
+  CHECK(key_frames(w.document.timeline()) == std::vector{10});
 }

@@ -16,9 +16,9 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   set_radius(w.document, 0.3);
   set_radius(w.document, 0.5123456789);
   undo(w.document);
-  REQUIRE(w.document.history.can_redo());
-  const deform::Scheme scheme = w.document.scheme;
-  const std::string label = w.document.history.undo_label();
+  REQUIRE(w.document.history().can_redo());
+  const deform::Scheme scheme = w.document.scheme();
+  const std::string label = w.document.history().undo_label();
   begin_widget_edit(w);
   for (const double radius : {0.4, 0.2}) set_radius(w.document, radius);
   w.view.handling.soft.radius = 0.7;
@@ -26,9 +26,9 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   w.making.wish.triangles = 444;
   w.preferences.layout.width[1] = 400;
   cancel_widget_edit(w);
-  CHECK(w.document.scheme == scheme);
-  CHECK(w.document.history.undo_label() == label);
-  CHECK(w.document.history.can_redo());
+  CHECK(w.document.scheme() == scheme);
+  CHECK(w.document.history().undo_label() == label);
+  CHECK(w.document.history().can_redo());
   const Workspace fresh;
   CHECK(w.view.handling == fresh.view.handling);
   CHECK(w.view.brush.radius == fresh.view.brush.radius);
@@ -43,10 +43,10 @@ TEST_CASE("cancelling_merged_steps_keeps_the_older_edit_and_leaves_another_docum
   begin_widget_edit(w);
   set_radius(w.document, 0.4);  // becomes part of the previous edit
   cancel_widget_edit(w);
-  CHECK(w.document.scheme.weighting.radius == 0.3);
-  CHECK(w.document.history.can_undo());
+  CHECK(w.document.scheme().weighting.radius == 0.3);
+  CHECK(w.document.history().can_undo());
   undo(w.document);
-  CHECK_FALSE(w.document.history.can_undo());
+  CHECK_FALSE(w.document.history().can_undo());
   begin_widget_edit(w);
   ++w.files.opened;  // simulates that another document was opened
   w.view.brush.radius = 99;
