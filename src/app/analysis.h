@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,6 +29,20 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 /// Measures CPU time and error of each compared method for these matrices. Times are medians. Errors are
 /// relative to a reference with 106 bits. If a method gives NaN, its two errors are NaN.
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
+
+/// When to measure again after measurements on a busy computer: 2, 4, ... 64 seconds later, then no more.
+class Retry {
+public:
+  bool is_due(double now) const { return now >= at_; }
+  /// Call after each measurement. `busy` is true if other programs made its times too long.
+  void measured(bool busy, double now);
+  /// Call before a measurement of another pose.
+  void restart() { *this = {}; }
+
+private:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+  double wait_ = 1, at_ = never;  // seconds
+};
 
 /// Measures again when the input of a measurement changes. Stores results in the workspace. Not thread-safe.
 class Analysis {
@@ -97,6 +112,7 @@ private:
   double probed_at_ = -1;    // when probe_ was last started or gave a result, in wall seconds
   unsigned long timed_ = 0;  // index of the frame whose pose was last timed
   double rests_since_ = 0;   // time of the last motion, in wall seconds
+  Retry retry_;              // of times of the pose timed_
 };
 
 }  // namespace viete::app
