@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -57,11 +58,11 @@ public:
       exposed_ = true;
     };
     events.exposed = [this] {
-      viewer_.resize(window_.size());
-      if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
+      take_size();
       exposed_ = true;
     };
     window_.listen(std::move(events));
+    scale_ = viewer_.workspace().preferences.scale;
     viewer_.workspace().panels.ask_keys = viewer_.workspace().preferences.ask_keys;
     window_.share_clipboard();
   }
@@ -73,11 +74,27 @@ public:
 private:
   void draw(float seconds, bool exposed = false);
   void follow_full_screen();
+  void follow_scale();
+  void take_size();
 
   platform::Window& window_;
   Viewer viewer_;
   bool exposed_ = true;
+  std::optional<float> scale_;  // the preference that the window has applied
 };
+
+void WindowViewer::take_size() {
+  viewer_.resize(window_.size());
+  if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
+}
+
+void WindowViewer::follow_scale() {
+  const std::optional<float> wanted = viewer_.workspace().preferences.scale;
+  if (std::exchange(scale_, wanted) == wanted) return;
+  window_.set_scale(wanted.value_or(0));
+  viewer_.set_scale(window_.scale());
+  take_size();
+}
 
 // Full screen has no title bar, so a message shows how to leave full screen.
 void WindowViewer::follow_full_screen() {
@@ -97,6 +114,7 @@ void WindowViewer::draw(float seconds, bool exposed) {
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
   window_.set_title(workspace::window_title(viewer_.workspace()));
   follow_full_screen();
+  follow_scale();
 }
 
 void WindowViewer::run(int frames) {

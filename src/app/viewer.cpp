@@ -66,15 +66,15 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
 void Viewer::load_fonts() {
   fonts_ = ui::add_fonts(options_.scale, options_.builtin_font, characters_);
   imgui_renderer_.upload_fonts();
-  lacks_characters_ = false;
+  outdated_fonts_ = false;
 }
 
 // New characters are drawn from the next frame on, because fonts cannot change during a frame.
 void Viewer::follow_characters() {
   const std::size_t known = characters_.size();
   characters_.merge(ui::shown_characters(workspace_));
-  lacks_characters_ = characters_.size() > known;
-  if (lacks_characters_) settle(2);
+  outdated_fonts_ |= characters_.size() > known;
+  if (outdated_fonts_) settle(2);
 }
 
 glm::ivec2 Viewer::device_size() const {
@@ -85,6 +85,12 @@ void Viewer::resize(glm::ivec2 logical_size) {
   if (options_.size != logical_size) settle(3);  // panels need some frames to compute their sizes
   options_.size = logical_size;
   place_viewport();
+}
+
+void Viewer::set_scale(float scale) {
+  options_.scale = scale;
+  outdated_fonts_ = true;
+  settle(3);
 }
 
 void Viewer::drop(std::vector<fs::path> files) {
@@ -149,7 +155,7 @@ void Viewer::take_input(float seconds) {
   io.DeltaTime = std::max(seconds, 1e-4f);
   if (!input_.empty()) settle(3);
   input_.feed_frame();
-  if (lacks_characters_) load_fonts();
+  if (outdated_fonts_) load_fonts();
   ImGui::NewFrame();
   enter_view_under_cursor();
   ui::handle_input(workspace_, pointer_);

@@ -36,7 +36,7 @@ void scale_setting(const Context& ui) {
       scales, {}, [&](float entry) { return std::abs(entry - scale.value_or(0.0f)); });
   const auto chosen =
       setting(ui, "Interface scale", "preferences/scale", entries, static_cast<std::size_t>(nearest - scales),
-              "Size of text and buttons. Applies when Viete starts again.");
+              "Size of text and buttons.");
   if (chosen) scale = *chosen == 0 ? std::nullopt : std::optional(scales[*chosen]);
 }
 
