@@ -127,10 +127,6 @@ void define_deformer(py::module_& m) {
 }  // namespace
 
 void define_deformation(py::module_& m) {
-  static PyObject* const error = PyErr_NewExceptionWithDoc(
-      "viete.Error", "Raised for invalid files and arrays; the message says what is wrong and what to do.",
-      PyExc_ValueError, nullptr);
-  m.attr("Error") = py::reinterpret_borrow<py::object>(error);
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -138,7 +134,7 @@ void define_deformation(py::module_& m) {
       const std::string sentence = e.what();  // may contain file names that are not UTF-8
       const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
           sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
-      if (text) PyErr_SetObject(error, text.ptr());
+      if (text) PyErr_SetObject(error_class(), text.ptr());
     }
   });
   define_files(m);
