@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "base/background.h"
 #include "base/clock.h"
 #include "base/worker_pool.h"
@@ -53,7 +54,10 @@ void TerminalProgress::watch(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const bool signal = sigtimedwait(&signals_, nullptr, &tick) > 0;
     const double now = base::wall_seconds();
-    if (signal && cancelled && now - *cancelled > time_to_stop) std::_Exit(128 + SIGINT);
+    if (signal && cancelled && now - *cancelled > time_to_stop) {
+      base::remove_own_parts();
+      std::_Exit(128 + SIGINT);
+    }
     if (signal && !cancelled) {
       cancelled = now;
       progress_.cancel();
