@@ -125,6 +125,7 @@ std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surfa
 
 std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary) {
   std::vector<Finding> found;
+  if (model.triangles.empty()) return found;  // points, which are drawn without faces
   check_edges(found, model, summary, Subject::model);
   add(found, Defect::doubled_vertex, Subject::model, ElementKind::vertex, mesh::duplicate_vertices(model));
   add(found, Defect::unused_vertex, Subject::model, ElementKind::vertex, summary.unused_vertices);

@@ -189,6 +189,12 @@ TEST_CASE("important_findings_come_first") {
   CHECK(found[1].defect == Defect::unused_vertex);
 }
 
+TEST_CASE("points_have_no_findings_about_faces") {
+  mesh::Surface points;
+  points.positions = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+  CHECK(check_model(points, mesh::summarize(points)).empty());
+}
+
 TEST_CASE("checks_can_be_cancelled") {
   base::Progress progress;
   progress.cancel();

@@ -6,7 +6,9 @@
 
 #include "formats/read.h"
 #include "formats/write.h"
+#include "mesh/summary.h"
 #include "program/command_line.h"
+#include "support/ball.h"
 #include "support/cube.h"
 #include "support/far.h"
 #include "support/pictures.h"
@@ -263,6 +265,17 @@ TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_
   CHECK(mentions(around, "finding     the cage has a fin: an odd number of faces share edge 6-7"));
   CHECK(mentions(around, "cage: 1 edge with more than two faces"));
   CHECK_FALSE(mentions(f.viete("info model.obj --cage cage.obj"), "has a fin"));
+}
+
+TEST_CASE("a_volume_of_rounding_errors_is_0") {
+  const WorkFolder f;
+  mesh::Surface s = ball(1.1, 1);
+  const std::vector<mesh::Triangle> front = s.triangles;
+  std::vector<mesh::Triangle> both = front;
+  for (std::size_t t = front.size(); t-- > 0;) both.push_back({front[t][1], front[t][0], front[t][2]});
+  formats::write(f / "both.obj", mesh::from_triangles(s.positions, both));
+  REQUIRE(mesh::summarize(formats::read(f / "both.obj").surface).volume != 0);
+  CHECK(mentions(f.done("info both.obj"), "volume      0\n"));
 }
 
 TEST_CASE("far_models_show_their_size_and_the_rounding_of_a_stream") {
