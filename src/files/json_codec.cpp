@@ -319,8 +319,13 @@ json read_json(const std::filesystem::path& path) {
 std::optional<JsonReader> JsonReader::find(const std::string& key) const {
   if (!value_.is_object()) expected("an object");
   const auto found = value_.find(key);
-  if (found == value_.end() || found->is_null()) return std::nullopt;
-  return JsonReader(*found, file_, key_.empty() ? key : key_ + "." + key);
+  if (found == value_.end()) return std::nullopt;
+  found_->insert(&*found);
+  return found->is_null() ? std::nullopt : std::optional(member(*found, key));
+}
+
+JsonReader JsonReader::member(const json& value, const std::string& key) const {
+  return JsonReader(value, file_, key_.empty() ? key : key_ + "." + key, found_);
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
@@ -335,13 +340,36 @@ std::vector<std::string> JsonReader::keys() const {
   return keys;
 }
 
+std::vector<std::string> JsonReader::ignored_keys() const {
+  std::map<std::string, std::string> ignored;
+  add_ignored("", ignored);
+  std::vector<std::string> keys;
+  for (const auto& [kind, key] : ignored) keys.push_back(key);
+  return keys;
+}
+
+// `kind` is key_ without indices. Numbers and texts contain no keys, so that long lists are fast.
+void JsonReader::add_ignored(const std::string& kind, std::map<std::string, std::string>& ignored) const {
+  for (std::size_t i = 0; value_.is_array() && i < value_.size(); ++i)
+    if (value_[i].is_structured()) item(i).add_ignored(kind, ignored);
+  if (!value_.is_object()) return;
+  for (const auto& [name, value] : value_.items()) {
+    const JsonReader inner = member(value, name);
+    if (!found_->contains(&value)) {
+      ignored.try_emplace(kind + "." + name, inner.key_);
+    } else if (value.is_structured()) {
+      inner.add_ignored(kind + "." + name, ignored);
+    }
+  }
+}
+
 std::size_t JsonReader::size() const {
   if (!value_.is_array()) expected("a list");
   return value_.size();
 }
 
 JsonReader JsonReader::item(std::size_t index) const {
-  return JsonReader(value_.at(index), file_, key_ + "[" + std::to_string(index) + "]");
+  return JsonReader(value_.at(index), file_, key_ + "[" + std::to_string(index) + "]", found_);
 }
 
 bool JsonReader::boolean() const {

@@ -329,6 +329,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   if (document.has_cage() && session.pose.positions.empty() && !session.shape) set_pose_from_keys(document);
   document.selection = without_hidden(document, document.selection);
   opened.warnings = changes_since(session, document, file);
+  append(opened.warnings, session.notes);
   opened.document = std::move(document);
   take_warnings(opened);
   return opened;
