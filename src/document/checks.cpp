@@ -89,7 +89,9 @@ const Words& words_of(Defect defect) {
        "Vertices coincide, for example along seams. They stay together, but shading shows an edge."},
       {"vertex without a face", "vertices without a face",
        "The vertex belongs to no face. Dragging it has no effect.",
-       "The vertex belongs to no face. It is deformed and exported but invisible."}};
+       "The vertex belongs to no face. It is deformed and exported but invisible."},
+      {"repeated face", "repeated faces",
+       "The face has the corners of an earlier face. The deformation ignores it.", ""}};
   return all[static_cast<std::size_t>(defect)];
 }
 
@@ -142,6 +144,11 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   check_edges(found, joined, summary, Subject::cage);
   add(found, Defect::thin, Subject::cage, ElementKind::face,
       faces_of(cage, mesh::thin_triangles(cage, thin)));
+  const auto repeated = mesh::repeated_polygons(cage);
+  Elements repeats;
+  for (std::uint32_t p = 0; p < repeated.size(); ++p)
+    if (repeated[p]) repeats.push_back(p);
+  add(found, Defect::repeated_face, Subject::cage, ElementKind::face, std::move(repeats));
   const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
   // Welding leaves duplicate vertices without faces. Such vertices do not count as unused.
@@ -182,7 +189,8 @@ std::string meaning(const Finding& finding) {
 
 bool matters(const Finding& finding) {
   if (finding.subject == Subject::model) return finding.defect == Defect::vertices_outside;
-  return finding.defect != Defect::inside_out && finding.defect != Defect::unused_vertex;
+  return finding.defect != Defect::inside_out && finding.defect != Defect::unused_vertex &&
+         finding.defect != Defect::repeated_face;
 }
 
 namespace {

@@ -180,9 +180,9 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
   return std::nullopt;
 }
 
-// A line above bars that names their engine.
+// A text above bars that names their engine.
 void engine_line(const Context& ui, const char* engine, const char* tip) {
-  text_in(ui.colors.faint, engine);
+  text_in(ui.colors.faint, wrapped(engine, ImGui::GetContentRegionAvail().x));
   hint(tip);
 }
 
