@@ -97,7 +97,7 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
 // The smallest window in which the panels have room, in logical pixels.
 constexpr glm::ivec2 least_size{640, 400};
 
-// Sets the window's size, limited to the screen. Also sets the minimum size.
+// Sets the window's size and minimum size, both limited to the screen.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
@@ -105,9 +105,9 @@ void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glfwGetFramebufferSize(window, &pixels, nullptr);
   const float factor = units.x == pixels ? scale : 1;  // window units per logical pixel
   const auto in_units = [&](glm::ivec2 logical) { return glm::ivec2(glm::vec2(logical) * factor); };
-  const glm::ivec2 wanted = in_units(size), least = in_units(least_size);
+  const glm::ivec2 wanted = in_units(size), room = room_for(window, wanted), fitting = glm::min(wanted, room);
+  const glm::ivec2 least = glm::min(in_units(least_size), room);
   glfwSetWindowSizeLimits(window, least.x, least.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
-  const glm::ivec2 fitting = glm::min(wanted, room_for(window, wanted));
   if (fitting != units) glfwSetWindowSize(window, fitting.x, fitting.y);
 }
 
