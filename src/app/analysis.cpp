@@ -161,20 +161,14 @@ void Analysis::start_probe(workspace::Workspace& w, const LiveModel& model) {
   shows_news_ |= !model.takes_exponentials();
 }
 
-void Retry::measured(bool busy, double now) {
-  constexpr double longest = 64;
-  wait_ = busy ? 2 * wait_ : 1;
-  at_ = busy && wait_ <= longest ? now + wait_ : never;
-}
-
 bool Analysis::timer_is_due(const workspace::Workspace& w, const LiveModel& model) const {
   const double now = base::wall_seconds();
-  return probe_wanted_ && (timed_ != model.frames() || retry_.is_due(now)) && model.takes_exponentials() &&
+  return probe_wanted_ && (timed_ != model.frames() || now > retry_.at) && model.takes_exponentials() &&
          !timer_.running() && !is_in_motion(w) && now - rests_since_ > pose_rest_seconds;
 }
 
 void Analysis::start_timer(const workspace::Workspace& w, const LiveModel& model) {
-  if (std::exchange(timed_, model.frames()) != timed_) retry_.restart();
+  if (std::exchange(timed_, model.frames()) != timed_) retry_ = {};
   timer_.start([timed = model.input(w.document, w.document.method)](base::Progress& progress) {
     return time_methods(timed, progress);
   });
@@ -184,7 +178,7 @@ void Analysis::take_times(workspace::Workspace& w, LiveModel& model, bool wait) 
   const auto result = timer_.poll(wait);
   if (!result || !result->value) return;  // after an error, no times are shown
   w.frame.method_times = result->value->times;
-  retry_.measured(w.frame.method_times.busy, base::wall_seconds());
+  retry_ = retry_.after(w.frame.method_times.busy, base::wall_seconds());
   model.share(result->value->binding);
   shows_news_ = true;
 }

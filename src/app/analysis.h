@@ -31,17 +31,12 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
 /// When to measure again after measurements on a busy computer: 2, 4, ... 64 seconds later, then no more.
-class Retry {
-public:
-  bool is_due(double now) const { return now >= at_; }
-  /// Call after each measurement. `busy` is true if other programs made its times too long.
-  void measured(bool busy, double now);
-  /// Call before a measurement of another pose.
-  void restart() { *this = {}; }
-
-private:
-  static constexpr double never = std::numeric_limits<double>::infinity();
-  double wait_ = 1, at_ = never;  // seconds
+struct Retry {
+  double wait = 1, at = std::numeric_limits<double>::infinity();  ///< seconds; `at` is a clock time
+  /// Returns the next time after a measurement. `busy` is true if other programs made its times too long.
+  Retry after(bool busy, double now) const {
+    return busy && wait < 64 ? Retry{2 * wait, now + 2 * wait} : Retry{busy ? wait : 1};
+  }
 };
 
 /// Measures again when the input of a measurement changes. Stores results in the workspace. Not thread-safe.

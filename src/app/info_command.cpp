@@ -35,12 +35,6 @@ std::string box_text(const mesh::Bounds& box) {
   return text(box.low) + " to " + text(box.high) + base::formatted(", diagonal %g", size);
 }
 
-// Returns the volume, or 0 if it is within rounding errors.
-double shown_volume(const document::OpenedSurface& surface) {
-  const double size = surface.bounds.diagonal(), volume = surface.summary.volume;
-  return std::abs(volume) < 1e-14 * size * size * size ? 0 : volume;
-}
-
 void print(const document::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
   std::printf("%s\n", surface.path.string().c_str());
@@ -57,7 +51,8 @@ void print(const document::OpenedSurface& surface) {
   }
   std::printf("  box         %s\n", box_text(surface.bounds).c_str());
   std::printf("  area        %g\n", f.area);
-  if (f.closed()) std::printf("  volume      %g\n", shown_volume(surface));
+  const double rounding = 1e-14 * std::pow(surface.bounds.diagonal(), 3);
+  if (f.closed()) std::printf("  volume      %g\n", std::abs(f.volume) < rounding ? 0 : f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
   const auto document = document::document_of(surface);
   using Check = void (*)(const document::Document&);

@@ -78,7 +78,7 @@ int run(const Program& program, std::vector<std::string> arguments) {
 int run_program(int argc, char** argv, const Program& program) {
   // Failed writes are then errors, after which unfinished files are removed.
   for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
-  base::remove_own_parts_at_signals();
+  base::remove_parts_at_signals();
   try {
     return run(program, {argv + 1, argv + argc});
   } catch (const std::exception& error) {

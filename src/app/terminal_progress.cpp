@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/atomic_file.h"
 #include "base/background.h"
 #include "base/clock.h"
 #include "base/worker_pool.h"
@@ -55,8 +54,8 @@ void TerminalProgress::watch(const std::stop_token& stop) {
     const bool signal = sigtimedwait(&signals_, nullptr, &tick) > 0;
     const double now = base::wall_seconds();
     if (signal && cancelled && now - *cancelled > time_to_stop) {
-      base::remove_own_parts();
-      std::_Exit(128 + SIGINT);
+      pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+      std::raise(SIGINT);
     }
     if (signal && !cancelled) {
       cancelled = now;

@@ -58,7 +58,8 @@ public:
       exposed_ = true;
     };
     events.exposed = [this] {
-      take_size();
+      viewer_.resize(window_.size(), window_.scale());
+      if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
       exposed_ = true;
     };
     window_.listen(std::move(events));
@@ -75,7 +76,6 @@ private:
   void draw(float seconds, bool exposed = false);
   void follow_full_screen();
   void follow_scale();
-  void take_size();
 
   platform::Window& window_;
   Viewer viewer_;
@@ -83,17 +83,9 @@ private:
   std::optional<float> scale_;  // the preference that the window has applied
 };
 
-void WindowViewer::take_size() {
-  viewer_.resize(window_.size());
-  if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
-}
-
 void WindowViewer::follow_scale() {
   const std::optional<float> wanted = viewer_.workspace().preferences.scale;
-  if (std::exchange(scale_, wanted) == wanted) return;
-  window_.set_scale(wanted.value_or(0));
-  viewer_.set_scale(window_.scale());
-  take_size();
+  if (std::exchange(scale_, wanted) != wanted) window_.set_scale(wanted.value_or(0));
 }
 
 // Full screen has no title bar, so a message shows how to leave full screen.

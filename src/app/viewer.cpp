@@ -81,16 +81,12 @@ glm::ivec2 Viewer::device_size() const {
   return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(options_.size) * options_.scale + 0.5f));
 }
 
-void Viewer::resize(glm::ivec2 logical_size) {
-  if (options_.size != logical_size) settle(3);  // panels need some frames to compute their sizes
-  options_.size = logical_size;
+void Viewer::resize(glm::ivec2 size, float scale) {
+  const bool rescaled = std::exchange(options_.scale, scale) != scale;
+  outdated_fonts_ |= rescaled;
+  if (std::exchange(options_.size, size) != size || rescaled)
+    settle(3);  // panels need some frames to compute their sizes
   place_viewport();
-}
-
-void Viewer::set_scale(float scale) {
-  options_.scale = scale;
-  outdated_fonts_ = true;
-  settle(3);
 }
 
 void Viewer::drop(std::vector<fs::path> files) {

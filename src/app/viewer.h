@@ -49,9 +49,8 @@ public:
   platform::InputQueue& input() { return input_; }
   ui::Recorder& recorder() { return recorder_; }
 
-  void resize(glm::ivec2 logical_size);
-  /// Sets the device pixels per logical pixel from the next frame on.
-  void set_scale(float scale);
+  /// See ViewerOptions.
+  void resize(glm::ivec2 size, float scale);
   void drop(std::vector<std::filesystem::path> files);
   glm::ivec2 device_size() const;
 

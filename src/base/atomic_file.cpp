@@ -77,19 +77,17 @@ void remove_if_left(const fs::path& part) {
   close(handle);
 }
 
-// Paths of part files that are being written; unused entries are null. Signal handlers may read them. Further
-// part files are left behind when a signal ends the process.
+// The part files of this process, for the signal handler; unused entries are null. Further files are left.
 std::array<std::atomic<const char*>, 64> own_parts{};
 
 void replace_own_part(const char* from, const char* to) {
-  for (auto& entry : own_parts) {
-    const char* expected = from;
-    if (entry.compare_exchange_strong(expected, to)) return;
-  }
+  for (auto& entry : own_parts)
+    if (const char* expected = from; entry.compare_exchange_strong(expected, to)) return;
 }
 
 void end_by_signal(int number) {
-  remove_own_parts();
+  for (const auto& entry : own_parts)
+    if (const char* path = entry) unlink(path);
   std::raise(number);  // with SA_RESETHAND, this ends the process when the handler returns
 }
 
@@ -223,12 +221,7 @@ fs::path unused_name(const fs::path& path, const std::function<bool(const fs::pa
   return name;
 }
 
-void remove_own_parts() {
-  for (const auto& entry : own_parts)
-    if (const char* path = entry) unlink(path);
-}
-
-void remove_own_parts_at_signals() {
+void remove_parts_at_signals() {
   struct sigaction action {}, before {};
   action.sa_handler = end_by_signal;
   action.sa_flags = SA_RESETHAND;

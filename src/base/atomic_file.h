@@ -62,13 +62,9 @@ std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
 
-/// Removes the `.part` files that this process is writing. For use before the process ends; the writes then
-/// fail. Safe in signal handlers.
-void remove_own_parts();
-
-/// Lets SIGINT, SIGTERM and SIGHUP call remove_own_parts() before they end the process. Ignored signals stay
-/// ignored.
-void remove_own_parts_at_signals();
+/// Lets SIGINT, SIGTERM and SIGHUP remove this process's `.part` files before they end it. Ignored signals
+/// stay ignored.
+void remove_parts_at_signals();
 
 /// Calls remove_stale_parts() for the folder of this file. If it is a symbolic link, for that of its target.
 void remove_leftovers_beside(const std::filesystem::path& path);

@@ -321,11 +321,8 @@ std::optional<JsonReader> JsonReader::find(const std::string& key) const {
   const auto found = value_.find(key);
   if (found == value_.end()) return std::nullopt;
   found_->insert(&*found);
-  return found->is_null() ? std::nullopt : std::optional(member(*found, key));
-}
-
-JsonReader JsonReader::member(const json& value, const std::string& key) const {
-  return JsonReader(value, file_, key_.empty() ? key : key_ + "." + key, found_);
+  if (found->is_null()) return std::nullopt;
+  return JsonReader(*found, file_, key_.empty() ? key : key_ + "." + key, found_);
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
@@ -340,27 +337,19 @@ std::vector<std::string> JsonReader::keys() const {
   return keys;
 }
 
-std::vector<std::string> JsonReader::ignored_keys() const {
-  std::map<std::string, std::string> ignored;
-  add_ignored("", ignored);
-  std::vector<std::string> keys;
-  for (const auto& [kind, key] : ignored) keys.push_back(key);
+std::set<std::string> JsonReader::ignored_keys() const {
+  std::set<std::string> keys;
+  add_ignored(value_, keys);
   return keys;
 }
 
-// `kind` is key_ without indices. Numbers and texts contain no keys, so that long lists are fast.
-void JsonReader::add_ignored(const std::string& kind, std::map<std::string, std::string>& ignored) const {
-  for (std::size_t i = 0; value_.is_array() && i < value_.size(); ++i)
-    if (value_[i].is_structured()) item(i).add_ignored(kind, ignored);
-  if (!value_.is_object()) return;
-  for (const auto& [name, value] : value_.items()) {
-    const JsonReader inner = member(value, name);
-    if (!found_->contains(&value)) {
-      ignored.try_emplace(kind + "." + name, inner.key_);
-    } else if (value.is_structured()) {
-      inner.add_ignored(kind + "." + name, ignored);
-    }
-  }
+// Visits no numbers and texts in lists, so that long lists are fast.
+void JsonReader::add_ignored(const json& value, std::set<std::string>& keys) const {
+  if (value.is_object())
+    for (const auto& [key, inner] : value.items())
+      found_->contains(&inner) ? add_ignored(inner, keys) : void(keys.insert(key));
+  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i)
+    if (value[i].is_structured()) add_ignored(value[i], keys);
 }
 
 std::size_t JsonReader::size() const {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -52,9 +53,8 @@ public:
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
   std::vector<std::string> keys() const;
-  /// Returns the keys in this value that find() and at() of no copy of this object have asked for, without
-  /// the keys inside them. Of keys that differ only in indices, such as keys[3].size, returns the first.
-  std::vector<std::string> ignored_keys() const;
+  /// Returns the keys inside this value for which nobody has called find() or at().
+  std::set<std::string> ignored_keys() const;
   /// These functions need an array.
   std::size_t size() const;
   JsonReader item(std::size_t index) const;
@@ -88,9 +88,8 @@ private:
   using Found = std::unordered_set<const nlohmann::json*>;  // the values that find() has found
   JsonReader(const nlohmann::json& value, std::string file, std::string key, std::shared_ptr<Found> found)
       : value_(value), file_(std::move(file)), key_(std::move(key)), found_(std::move(found)) {}
-  JsonReader member(const nlohmann::json& value, const std::string& key) const;
   void check_size(std::size_t n) const;
-  void add_ignored(const std::string& kind, std::map<std::string, std::string>& ignored) const;
+  void add_ignored(const nlohmann::json& value, std::set<std::string>& keys) const;
 
   const nlohmann::json& value_;
   std::string file_, key_;

@@ -406,18 +406,6 @@ void check_version(const JsonReader& json, const fs::path& file) {
                           "open it with the version of Viete that saved it");
 }
 
-void note_ignored_keys(const JsonReader& json, const fs::path& file, Session& session) {
-  constexpr std::size_t named = 8;
-  const std::vector<std::string> keys = json.ignored_keys();
-  std::string text;
-  for (std::size_t i = 0; i < std::min(named, keys.size()); ++i)
-    text += (i > 0 ? ", " : "") + formats::in_quotes(keys[i]);
-  if (keys.size() > named) text += " and " + std::to_string(keys.size() - named) + " more";
-  if (!keys.empty())
-    session.notes.push_back(file.string() + ": unknown " + (keys.size() == 1 ? "key" : "keys") +
-                            " ignored: " + text);
-}
-
 }  // namespace
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
@@ -437,7 +425,9 @@ Session read_session(const fs::path& file) {
   if (const auto found = json.find("shapes")) code(JsonField(*found, shapes), shapes);
   Session session;
   code_session(JsonField(json, shapes), session, {resolved(file).parent_path(), true});
-  note_ignored_keys(json, file, session);
+  constexpr std::size_t most_notes = 8;
+  for (const std::string& key : json.ignored_keys())
+    if (session.notes.size() < most_notes) session.notes.push_back(file.string() + ": unknown key ignored: " + formats::in_quotes(key));
   document::PoseLibrary named;  // the same poses with unique names
   for (document::NamedPose& pose : std::exchange(session.library.poses, {})) {
     pose.name = free_name(named, pose.name);

@@ -186,6 +186,7 @@ glm::ivec2 Window::size() const {
 void Window::set_scale(float scale) {
   scale_ = used_scale(handle_, scale);
   if (!full_screen()) fit(handle_, glm::max(size(), least_size), scale_);
+  events_.exposed();
 }
 
 // Returns logical pixels per window unit. A unit is a device pixel on X11, and a logical pixel on Wayland.

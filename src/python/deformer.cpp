@@ -127,6 +127,7 @@ void define_deformer(py::module_& m) {
 }  // namespace
 
 void define_deformation(py::module_& m) {
+  static PyObject* const error = m.attr("Error").ptr();
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -134,7 +135,7 @@ void define_deformation(py::module_& m) {
       const std::string sentence = e.what();  // may contain file names that are not UTF-8
       const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
           sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
-      if (text) PyErr_SetObject(error_class(), text.ptr());
+      if (text) PyErr_SetObject(error, text.ptr());
     }
   });
   define_files(m);

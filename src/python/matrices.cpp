@@ -38,16 +38,8 @@ std::string shape_text(const py::array& a) {
   return text_of(a.attr("shape"));
 }
 
-PyObject* error_class() {
-  static PyObject* const error = PyErr_NewExceptionWithDoc(
-      "viete.Error", "Raised for invalid files and arrays; the message says what is wrong and what to do.",
-      PyExc_ValueError, nullptr);
-  return error;
-}
-
 void wrong(const char* function, const std::string& what) {
-  PyErr_SetString(error_class(), ("viete." + std::string(function) + ": " + what).c_str());
-  throw py::error_already_set();
+  throw WrongValue("viete." + std::string(function) + ": " + what);
 }
 
 bool overlap(const py::array& a, const py::array& b) {

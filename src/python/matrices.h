@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,11 @@ struct Shape {
   std::size_t count;  ///< number of matrices
 };
 
-/// The class viete.Error, a ValueError.
-PyObject* error_class();
-/// Raises viete.Error with the name of the function.
+/// Python gets it as viete.Error, a ValueError.
+struct WrongValue : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// Throws WrongValue with the name of the function.
 [[noreturn]] void wrong(const char* function, const std::string& what);
 /// Returns f(), which calls numpy. Raises viete.Error with numpy's message if shapes do not fit.
 template <class F>

@@ -198,7 +198,8 @@ void define_tangent(py::module_& m, const char* name, const F& f, const Extra&..
 PYBIND11_MODULE(viete, m) {
   m.doc() = "Cage-based mesh deformation, and fast, accurate functions of many symmetric 3x3 matrices.";
   m.attr("__version__") = VIETE_VERSION;
-  m.attr("Error") = py::reinterpret_borrow<py::object>(error_class());
+  py::register_local_exception<WrongValue>(m, "Error", PyExc_ValueError).attr("__doc__") =
+      "Raised for invalid files and arrays; the message says what is wrong and what to do.";
   py::register_local_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);

@@ -97,8 +97,8 @@ void panel_method(const Context& ui) {
   const bool orange = running_sample(w) && std::ranges::any_of(w.frame.methods.samples, is_visible);
   note(ui, !used                                      ? "This deformer uses no exponential."
            : !document::differs_from_rest(w.document) ? "Pose the cage to compare the methods."
-           : orange                                   ? "Orange: can become visible."
-                                                      : "Medians over the matrices of this frame");
+           : orange                                   ? "Orange errors can become visible."
+                                                      : "Medians over the matrices of this frame.");
   hint("Median time over " + count(w.frame.methods.matrices) +
        " matrices of this frame; errors are relative to 106-bit results. Teal marks the best values, "
        "orange errors above 1e-10, which can add up to visible errors. At rest all errors are 0.");

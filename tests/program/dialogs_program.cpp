@@ -136,7 +136,7 @@ TEST_CASE("typing_in_a_file_list_filters_the_list") {
 TEST_CASE("another_scale_applies_at_the_next_frame") {
   Driver d;
   d.frame(3);
-  d.viewer().set_scale(2);
+  d.viewer().resize({1280, 800}, 2);
   d.frame();
   CHECK(ImGui::GetIO().FontGlobalScale == 0.5f);
   CHECK(ImGui::GetIO().DisplayFramebufferScale.x == 2);
