@@ -149,7 +149,7 @@ private:
   ui::Recorder recorder_;
   ui::Fonts fonts_;
   std::set<char32_t> characters_;  // all characters after Latin-1 that were shown until now
-  bool outdated_fonts_ = false;  // true: the next frame needs other characters or sizes
+  bool outdated_fonts_ = false;    // true: the next frame needs other characters or sizes
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;

@@ -222,7 +222,8 @@ fs::path unused_name(const fs::path& path, const std::function<bool(const fs::pa
 }
 
 void remove_parts_at_signals() {
-  struct sigaction action {}, before {};
+  struct sigaction action {};
+  struct sigaction before {};
   action.sa_handler = end_by_signal;
   action.sa_flags = SA_RESETHAND;
   for (const int number : {SIGINT, SIGTERM, SIGHUP})

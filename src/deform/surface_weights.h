@@ -119,8 +119,8 @@ private:
   std::vector<std::size_t> offsets_;   // offset of each vertex in a block
 };
 
-/// Returns the approximate number of bytes of a SurfaceSystem, or of a proxy and its system, and one block per
-/// thread. Models of many parts can take twice as much.
+/// Returns the approximate number of bytes of a SurfaceSystem, or of a proxy and its system, and one block
+/// per thread. Models of many parts can take twice as much.
 double surface_system_bytes(std::size_t vertices);
 
 /// Scales weights to sum 1. If `clamp` is true, first sets negative weights to 0.

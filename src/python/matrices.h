@@ -66,7 +66,8 @@ py::array as_array(const char* function, const py::object& a);
 /// not finite, raises viete.Error with the name `what`.
 Contiguous<double> numbers(const char* function, const char* what, const py::object& a, bool finite = true);
 
-/// Returns weights (..., count) divided by their sum. None gives equal weights. A sum of 0 raises viete.Error.
+/// Returns weights (..., count) divided by their sum. None gives equal weights. A sum of 0 raises
+/// viete.Error.
 Contiguous<double> shares(const char* function, const py::object& weights, py::ssize_t count);
 
 bool overlap(const py::array& a, const py::array& b);

@@ -73,8 +73,8 @@ const std::vector<workspace::PictureShape>& picture_of(const Context& ui, const 
 
 bool recovery_card(const Context& ui, const files::RecoveryFile& file, const std::string& id, float width) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + recovery_card_height};
-  const bool restored = ImGui::InvisibleButton(id.c_str(), {width, recovery_card_height}) &&
-                        !ui.workspace.jobs.loading.running;
+  const bool restored =
+      ImGui::InvisibleButton(id.c_str(), {width, recovery_card_height}) && !ui.workspace.jobs.loading.running;
   if (restored)
     ui.workspace.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::recovery, {file.file}};
   record(ui, id);

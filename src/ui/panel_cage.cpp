@@ -192,8 +192,7 @@ void ways_to_a_cage(const Context& ui) {
 }  // namespace
 
 bool offers_next_step(const workspace::Workspace& w) {
-  return workspace::may_offer_cage(w) && !w.jobs.loading.running &&
-         (!w.document.is_movable() || outside(w));
+  return workspace::may_offer_cage(w) && !w.jobs.loading.running && (!w.document.is_movable() || outside(w));
 }
 
 float cage_offer(const Context& ui, float bottom) {

@@ -78,10 +78,10 @@ bool offers_next_step(const workspace::Workspace& workspace);  ///< true if cage
 /// Draws picture, name and date of recovered edits. Returns true if a click restores them.
 bool recovery_card(const Context& ui, const files::RecoveryFile& file, const std::string& id, float width);
 inline constexpr float recovery_card_height = 46;
-float notice_room(const Context& ui);                          ///< the width for notices, without the tools
-void notice_bar(const Context& ui);                            ///< offers to restore recovered edits
-void transform_fields(const Context& ui);                      ///< number fields of the tool
-void hand_overlay(const Context& ui);                          ///< mirror partners, soft radius and pivot
+float notice_room(const Context& ui);      ///< the width for notices, without the tools
+void notice_bar(const Context& ui);        ///< offers to restore recovered edits
+void transform_fields(const Context& ui);  ///< number fields of the tool
+void hand_overlay(const Context& ui);      ///< mirror partners, soft radius and pivot
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);

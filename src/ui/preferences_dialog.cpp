@@ -34,9 +34,8 @@ void scale_setting(const Context& ui) {
   std::optional<float>& scale = ui.workspace.preferences.scale;
   const auto* nearest = std::ranges::min_element(
       scales, {}, [&](float entry) { return std::abs(entry - scale.value_or(0.0f)); });
-  const auto chosen =
-      setting(ui, "Interface scale", "preferences/scale", entries, static_cast<std::size_t>(nearest - scales),
-              "Size of text and buttons.");
+  const auto chosen = setting(ui, "Interface scale", "preferences/scale", entries,
+                              static_cast<std::size_t>(nearest - scales), "Size of text and buttons.");
   if (chosen) scale = *chosen == 0 ? std::nullopt : std::optional(scales[*chosen]);
 }
 

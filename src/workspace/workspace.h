@@ -250,8 +250,8 @@ struct Panels {
   bool offer_cage = true;      ///< false: the user has dismissed the suggestion to get a cage
   bool show_messages = false;  ///< show the message list
   bool show_preferences = false;
-  bool ask_keys = false;       ///< show the choice of a keymap
-  bool has_user = true;        ///< false while a command renders a picture without messages
+  bool ask_keys = false;  ///< show the choice of a keymap
+  bool has_user = true;   ///< false while a command renders a picture without messages
 };
 
 /// Results of the last drawn picture. Written by the program.

@@ -274,9 +274,9 @@ TEST_CASE("defects_of_the_cage_are_noted_once_by_every_command_that_deforms") {
   triangles.back() = triangles.front();
   formats::write(f / "cage.obj", mesh::from_triangles(cube(2).positions, triangles));
   for (const char* name : {"k_1.obj", "k_2.obj"}) fs::copy(f / "cage.obj", f / name);
-  for (const std::string words :
-       {"deform model.obj cage.obj --pose cage.obj -o out.obj", "render model.obj cage.obj --size 64x64 -o out.png",
-        "animate model.obj cage.obj --keys k_#.obj -o out.pc2"}) {
+  for (const std::string words : {"deform model.obj cage.obj --pose cage.obj -o out.obj",
+                                  "render model.obj cage.obj --size 64x64 -o out.png",
+                                  "animate model.obj cage.obj --keys k_#.obj -o out.pc2"}) {
     const std::string text = f.done(words).text, repeats = "cage.obj: 1 cage face repeats another face";
     CHECK_MESSAGE(mentions(text, "cage.obj: 3 cage edges have only one face: the cage is open"), text);
     REQUIRE_MESSAGE(mentions(text, repeats), text);
