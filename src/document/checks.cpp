@@ -33,17 +33,13 @@ Elements faces_of(const mesh::Surface& surface, Elements triangles) {
   return triangles;
 }
 
-bool inside_out(const mesh::Summary& summary) {
-  return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
-}
-
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
   add_edges(found, Defect::open, subject, summary.boundary_edges);
   add_edges(found, Defect::nonmanifold_edge, subject, summary.nonmanifold_edges);
   add(found, Defect::pinched_vertex, subject, ElementKind::vertex, mesh::nonmanifold_vertices(surface));
   add_edges(found, Defect::misoriented, subject, summary.misoriented_edges);
-  if (inside_out(summary)) {
+  if (summary.inside_out()) {
     Elements all(surface.polygon_count());
     std::iota(all.begin(), all.end(), 0u);
     add(found, Defect::inside_out, subject, ElementKind::face, std::move(all));

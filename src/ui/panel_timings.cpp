@@ -215,12 +215,15 @@ bool is_measured(const workspace::MethodTimes& all, Link stage) {
   return std::ranges::any_of(all.links, [&](const auto& times) { return times[stage] > 0; });
 }
 
-// Draws the names of the stages, four per line. Returns the stage under the cursor.
+// Draws the names of the stages, up to four per line. Returns the stage under the cursor.
 Stage legend(const Context& ui) {
-  constexpr std::size_t columns = 4, rows = 2;
+  constexpr std::size_t rows = 2;
+  constexpr float longest_name = 70;
   const workspace::Workspace& w = ui.workspace;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x / columns, line = ImGui::GetTextLineHeight() + 2;
+  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight() + 2;
+  const auto columns = static_cast<std::size_t>(std::clamp(room / longest_name, 1.0f, 4.0f));
+  const float width = room / static_cast<float>(columns);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   Stage under_cursor;
   std::size_t count = 0;
