@@ -2,11 +2,7 @@
 # Makes the moving picture at the head of the README: a vertex of the dragon's cage is dragged, the head turns, and the
 # body coils. motion.sh [VIETE]. Needs img2webp (package webp) and convert (package imagemagick).
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-viete=${1:-$here/../../build/viete}
-dragon=$(cd "$here/../dragon" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/common.sh"
 width=640 height=420
 vertex=62  # the cage vertex that is dragged, at the wrist of a wing
 

@@ -2,11 +2,7 @@
 # Makes the row of pictures in the README: the dragon at rest, coiled, and halfway in between, linear
 # and in log space. shapes.sh [VIETE]
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-viete=${1:-$here/../../build/viete}
-dragon=$(cd "$here/../dragon" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/common.sh"
 
 picture() {  # NAME DISTANCE OPTION...: the smaller a model, the farther its camera, so that all are about as large
   name=$1

@@ -2,11 +2,7 @@
 # Makes the two rows of pictures in the README: three moments between two keys of the dragon's loop,
 # linear and in log space. time.sh [VIETE]
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-viete=${1:-$here/../../build/viete}
-dragon=$(cd "$here/../dragon" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/common.sh"
 
 near='"camera": {"target": [0.3, 0.2, 0.28], "distance": 2.2, "yaw": 0.6, "pitch": 0.2}, "view": {"panels": false}, '
 

@@ -1,9 +1,7 @@
 #!/bin/sh
 # Makes the pictures of the manual's chapter on deformers: one pose of the dragon by each deformer. ways.sh [VIETE]
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-viete=${1:-$here/../../build/viete}
-dragon=$here/../dragon
+. "$(dirname "$0")/common.sh"
 
 picture() {  # NAME OPTION...
   name=$1

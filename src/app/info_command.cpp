@@ -51,7 +51,8 @@ void print(const document::OpenedSurface& surface) {
   }
   std::printf("  box         %s\n", box_text(surface.bounds).c_str());
   std::printf("  area        %g\n", f.area);
-  if (f.closed()) std::printf("  volume      %g\n", f.volume);
+  const double rounding = 1e-14 * std::pow(surface.bounds.diagonal(), 3);
+  if (f.closed()) std::printf("  volume      %g\n", std::abs(f.volume) < rounding ? 0 : f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
   const auto document = document::Document(surface);
   using Check = void (*)(const document::Document&);

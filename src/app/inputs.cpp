@@ -80,6 +80,9 @@ files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&)) {
     throw base::Error(error.place(), error.problem(),
                       "name the file with --" + std::string(error.key) + " FILE");
   }
+  if (const auto& cage = opened.document->cage())
+    for (const std::string& warning : cage->warnings)
+      opened.warnings.push_back(place_of(opened.document->cage_file()) + ": " + warning);
   check(opened);
   const bool deforms = inputs.use == Use::file || inputs.use == Use::animation;
   if (deforms && !opened.document->is_movable()) {

@@ -105,12 +105,13 @@ bool MethodMeasuring::start_sampling(workspace::Workspace& w, const LiveModel& m
 }
 
 double MethodMeasuring::timing_in(const workspace::Workspace& w, const LiveModel& model) const {
-  const bool missing = timed_ != model.frames() && model.takes_exponentials();
-  if (!wanted_ || !missing || timer_.running() || is_in_motion(w)) return base::never;
-  return base::seconds_until(rests_since_ + pose_rest_seconds);
+  if (!wanted_ || !model.takes_exponentials() || timer_.running() || is_in_motion(w)) return base::never;
+  const double rested = rests_since_ + pose_rest_seconds;
+  return base::seconds_until(timed_ != model.frames() ? rested : std::max(rested, retry_.at));
 }
 
 void MethodMeasuring::start_timing(const workspace::Workspace& w, const LiveModel& model) {
+  if (timed_ != model.frames()) retry_ = {};
   timed_ = model.frames();
   timer_.start([timed = model.input(w.document, w.document.method())](base::Progress& progress) {
     return time_methods(timed, progress);
@@ -121,6 +122,7 @@ bool MethodMeasuring::take_times(workspace::Workspace& w, LiveModel& model, bool
   const auto result = timer_.poll(wait);
   if (!result || !result->value) return false;  // after an error, no times are shown
   w.frame.method_times = result->value->times;
+  retry_ = retry_.after(w.frame.method_times.busy, base::wall_seconds());
   model.share(result->value->binding);
   return true;
 }

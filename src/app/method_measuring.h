@@ -8,6 +8,7 @@
 
 #include "app/view_model.h"
 #include "base/background.h"
+#include "base/clock.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {
@@ -25,6 +26,15 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 /// Measures CPU time and error of each compared method for these matrices. Times are medians. Errors are
 /// relative to a reference with 106 bits. If a method gives NaN, its two errors are NaN.
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
+
+/// When to measure again after measurements on a busy computer: 2, 4, ... 64 seconds later, then no more.
+struct Retry {
+  double wait = 1, at = base::never;  ///< seconds; `at` is a clock time
+  /// Returns the next time after a measurement. `busy` is true if other programs made its times too long.
+  Retry after(bool busy, double now) const {
+    return busy && wait < 64 ? Retry{2 * wait, now + 2 * wait} : Retry{busy ? wait : 1};
+  }
+};
 
 /// Measures again when the input of a measurement changes. Stores results in the workspace. Not thread-safe.
 class MethodMeasuring {
@@ -67,6 +77,7 @@ private:
   double sampled_at_ = -1;     // when sampler_ was last started or gave a result, in wall seconds
   unsigned long timed_ = 0;    // number of the frame whose pose was last timed
   double rests_since_ = 0;     // time of the last motion, in wall seconds
+  Retry retry_;                // of times of the pose timed_
 };
 
 }  // namespace viete::app

@@ -181,7 +181,8 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
     return mesh::draft_of(*surface, normals, model.bounds, model.summary.area,
                           std::max<std::size_t>(moving / 12, 1));
   });
-  shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around));
+  shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around),
+                                        model.summary.inside_out());
   if (mesh::Draft made = draft.get(); !made.surface.triangles.empty())
     shading.draft = std::make_shared<const mesh::Draft>(std::move(made));
   if (model.attributes) shading.looks = looks_of(*surface, *model.attributes, normals, shading.draft.get());

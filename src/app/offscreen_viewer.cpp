@@ -143,7 +143,6 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files:
 
 void print_messages(const workspace::Workspace& w) {
   print_missing(w);
-  if (const auto& cage = w.document.cage()) print_notes(cage->warnings);
   for (const auto& message : w.messages.all()) {
     if (message.severity == workspace::Severity::error) throw base::Error("", message.text);
     print_notes({message.text});

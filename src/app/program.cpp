@@ -10,6 +10,7 @@
 
 #include "app/assets.h"
 #include "app/options.h"
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "sym3/kernel.h"
 
@@ -77,6 +78,7 @@ int run(const Program& program, std::vector<std::string> arguments) {
 int run_program(int argc, char** argv, const Program& program) {
   // Failed writes are then errors, after which unfinished files are removed.
   for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+  base::remove_parts_at_signals();
   try {
     return run(program, {argv + 1, argv + argc});
   } catch (const std::exception& error) {

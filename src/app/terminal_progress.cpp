@@ -53,7 +53,10 @@ void TerminalProgress::watch(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const bool signal = sigtimedwait(&signals_, nullptr, &tick) > 0;
     const double now = base::wall_seconds();
-    if (signal && cancelled && now - *cancelled > time_to_stop) std::_Exit(128 + SIGINT);
+    if (signal && cancelled && now - *cancelled > time_to_stop) {
+      pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+      std::raise(SIGINT);
+    }
     if (signal && !cancelled) {
       cancelled = now;
       progress_.cancel();

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -58,11 +59,12 @@ public:
       exposed_ = true;
     };
     events.exposed = [this] {
-      viewer_.resize(window_.size());
+      viewer_.resize(window_.size(), window_.scale());
       if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
       exposed_ = true;
     };
     window_.listen(std::move(events));
+    scale_ = viewer_.workspace().preferences.scale;
     viewer_.workspace().panels.ask_keys = viewer_.workspace().preferences.ask_keys;
     window_.share_clipboard();
   }
@@ -74,11 +76,18 @@ public:
 private:
   void draw(float seconds, bool exposed = false);
   void follow_full_screen();
+  void follow_scale();
 
   platform::Window& window_;
   Viewer viewer_;
   bool exposed_ = true;
+  std::optional<float> scale_;  // the preference that the window has applied
 };
+
+void WindowViewer::follow_scale() {
+  const std::optional<float> wanted = viewer_.workspace().preferences.scale;
+  if (std::exchange(scale_, wanted) != wanted) window_.set_scale(wanted.value_or(0));
+}
 
 // Full screen has no title bar, so a message shows how to leave full screen.
 void WindowViewer::follow_full_screen() {
@@ -98,6 +107,7 @@ void WindowViewer::draw(float seconds, bool exposed) {
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
   window_.set_title(workspace::window_title(viewer_.workspace()));
   follow_full_screen();
+  follow_scale();
 }
 
 void WindowViewer::run(int frames) {

@@ -78,23 +78,24 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
 void Viewer::load_fonts() {
   fonts_ = ui::add_fonts(options_.scale, options_.builtin_font, characters_);
   imgui_renderer_.upload_fonts();
-  lacks_characters_ = false;
+  outdated_fonts_ = false;
 }
 
 // New characters are drawn from the next frame on, because fonts cannot change during a frame.
 void Viewer::follow_characters() {
   const std::size_t known = characters_.size();
   characters_.merge(ui::shown_characters(workspace_));
-  lacks_characters_ = characters_.size() > known;
+  outdated_fonts_ |= characters_.size() > known;
 }
 
 glm::ivec2 Viewer::device_size() const {
   return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(options_.size) * options_.scale + 0.5f));
 }
 
-void Viewer::resize(glm::ivec2 logical_size) {
-  if (options_.size != logical_size) settle_panels();
-  options_.size = logical_size;
+void Viewer::resize(glm::ivec2 size, float scale) {
+  const bool rescaled = std::exchange(options_.scale, scale) != scale;
+  outdated_fonts_ |= rescaled;
+  if (std::exchange(options_.size, size) != size || rescaled) settle_panels();
   place_viewport();
 }
 
@@ -121,7 +122,7 @@ std::vector<Activity> Viewer::list_of_activities() {
     };
   };
   return {
-      {"input", [&] { return now_if(!input_.empty() || w.view.camera.moving() || lacks_characters_); },
+      {"input", [&] { return now_if(!input_.empty() || w.view.camera.moving() || outdated_fonts_); },
        [this] { return take_input(); }},
       {"wishes", [&] { return now_if(!w.jobs.wishes.empty()); }, [this] { return grant_wishes(); }},
       {"files", [&] { return now_if(files_.is_due(w, may_edit())); },
@@ -188,7 +189,7 @@ void Viewer::frame(float seconds) {
 }
 
 bool Viewer::take_input() {
-  const bool input = !input_.empty() || lacks_characters_;
+  const bool input = !input_.empty() || outdated_fonts_;
   place_viewport();
   if (theme_seen_ != workspace_.view.options.dark) ui::apply_style(workspace_.view.options.dark);
   theme_seen_ = workspace_.view.options.dark;
@@ -197,7 +198,7 @@ bool Viewer::take_input() {
   io.DisplayFramebufferScale = {options_.scale, options_.scale};
   io.DeltaTime = std::max(seconds_, 1e-4f);
   input_.feed_frame();
-  if (lacks_characters_) load_fonts();
+  if (outdated_fonts_) load_fonts();
   ImGui::NewFrame();
   enter_view_under_cursor();
   ui::handle_input(workspace_, pointer_);

@@ -79,7 +79,8 @@ public:
   platform::InputQueue& input() { return input_; }
   ui::Recorder& recorder() { return recorder_; }
 
-  void resize(glm::ivec2 logical_size);
+  /// See ViewerOptions.
+  void resize(glm::ivec2 size, float scale);
   void drop(std::vector<std::filesystem::path> files);
   glm::ivec2 device_size() const;
 
@@ -207,7 +208,7 @@ private:
   ui::Recorder recorder_;
   ui::Fonts fonts_;
   std::set<char32_t> characters_;  // all characters after Latin-1 that were shown until now
-  bool lacks_characters_ = false;  // true: the next frame needs other fonts
+  bool outdated_fonts_ = false;    // true: the next frame needs other characters or sizes
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;

@@ -6,7 +6,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -74,6 +77,20 @@ void remove_if_left(const fs::path& part) {
   close(handle);
 }
 
+// The part files of this process, for the signal handler; unused entries are null. Further files are left.
+std::array<std::atomic<const char*>, 64> own_parts{};
+
+void replace_own_part(const char* from, const char* to) {
+  for (auto& entry : own_parts)
+    if (const char* expected = from; entry.compare_exchange_strong(expected, to)) return;
+}
+
+void end_by_signal(int number) {
+  for (const auto& entry : own_parts)
+    if (const char* path = entry) unlink(path);
+  std::raise(number);  // with SA_RESETHAND, this ends the process when the handler returns
+}
+
 // The permission bits that a new file gets from the existing file. The setuid and setgid bits are excluded.
 constexpr mode_t kept_mode = 0777;
 
@@ -134,6 +151,7 @@ struct FilesTogether::File {
     for (int i = 0; handle_ < 0 && i < 1000; ++i) {
       path_ = part_of(target, i);
       handle_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+      if (handle_ >= 0) replace_own_part(nullptr, path_.c_str());
       if (handle_ < 0 && errno != EEXIST) break;
     }
     if (handle_ < 0) fail(target, errno);
@@ -145,7 +163,9 @@ struct FilesTogether::File {
 
   ~File() {
     if (handle_ >= 0) close(handle_);
-    if (!path_.empty()) unlink(path_.c_str());
+    if (path_.empty()) return;
+    unlink(path_.c_str());
+    replace_own_part(path_.c_str(), nullptr);
   }
 
   void write_all(std::string_view bytes) {
@@ -171,6 +191,7 @@ struct FilesTogether::File {
     handle_ = -1;
     if (closed != 0) fail(target_, errno);
     if (rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
+    replace_own_part(path_.c_str(), nullptr);
     path_.clear();
   }
 
@@ -198,6 +219,16 @@ fs::path unused_name(const fs::path& path, const std::function<bool(const fs::pa
   for (int i = 2; taken(); ++i)
     name = path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string());
   return name;
+}
+
+void remove_parts_at_signals() {
+  struct sigaction action {};
+  struct sigaction before {};
+  action.sa_handler = end_by_signal;
+  action.sa_flags = SA_RESETHAND;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    if (sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)  // nohup ignores SIGHUP
+      sigaction(number, &action, nullptr);
 }
 
 void remove_leftovers_beside(const fs::path& path) {

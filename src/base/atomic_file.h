@@ -62,6 +62,10 @@ std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
 
+/// Lets SIGINT, SIGTERM and SIGHUP remove this process's `.part` files before they end it. Ignored signals
+/// stay ignored.
+void remove_parts_at_signals();
+
 /// Calls remove_stale_parts() for the folder of this file. If it is a symbolic link, for that of its target.
 void remove_leftovers_beside(const std::filesystem::path& path);
 

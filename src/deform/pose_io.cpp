@@ -89,7 +89,7 @@ std::vector<std::uint32_t> order_of(const formats::ReadResult& read, const Cage&
   const auto found = mesh::polygon_edges(read.surface), wanted = mesh::polygon_edges(cage.surface);
   if (!format.keeps_order || !(std::ranges::includes(found, wanted) || std::ranges::includes(wanted, found)))
     throw base::Error(file, mesh::first_difference(read.surface, cage.surface, "the cage"),
-                      "export the pose with the faces of the cage, or without faces, as " +
+                      "export the pose with the vertex order or the face order of the cage, as " +
                           formats::format_names(formats::keeps_order));
   warnings.push_back(file +
                      ": the faces of this pose differ from the faces of the cage; only the vertex "

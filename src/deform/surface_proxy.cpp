@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "deform/cage_state.h"
 #include "deform/small_parts.h"
 #include "mesh/point_index.h"
 #include "mesh/point_tree.h"

@@ -24,6 +24,10 @@ namespace viete::deform {
 inline constexpr std::size_t proxy_vertices = 40'000;
 /// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
+/// Returns the approximate number of vertices of a model, or of its proxy, whose weights are solved for.
+constexpr std::size_t solved_vertices(std::size_t vertices) {
+  return vertices > most_solved_vertices ? proxy_vertices : vertices;
+}
 
 /// Each handle owns the vertex nearest to it. Of vertices that are equally near up to rounding errors, it
 /// owns the one nearest to its center; if several are, it owns each of them in part. Vertices without
@@ -115,7 +119,8 @@ private:
   std::vector<std::size_t> offsets_;   // offset of each vertex in a block
 };
 
-/// Returns an approximate upper bound of the bytes of a SurfaceSystem and one block per thread.
+/// Returns the approximate number of bytes of a SurfaceSystem, or of a proxy and its system, and one block
+/// per thread. Models of many parts can take twice as much.
 double surface_system_bytes(std::size_t vertices);
 
 /// Scales weights to sum 1. If `clamp` is true, first sets negative weights to 0.

@@ -560,9 +560,12 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   // neighbours.
   const double fused = (compressed ? 1.1 * k : 4 * k) + (weighting.partial() ? 24 : 12) + 20 + 32 + 20;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
-  if (entry(weighting.weights).on_surface)
-    bytes += surface_system_bytes(vertices) +
-             (engine == EngineKind::fused && vertices <= most_solved_vertices ? 4 * n * k : 0);
+  if (entry(weighting.weights).on_surface) {
+    const double system = surface_system_bytes(vertices);
+    // For the fused engine, solved weights stay until they are compressed, but the solver does not.
+    const double solved = 4 * static_cast<double>(solved_vertices(vertices)) * k;
+    bytes = engine == EngineKind::staged ? bytes + system : solved + std::max(system, bytes);
+  }
   return static_cast<std::size_t>(std::min(0x1p63, bytes));
 }
 

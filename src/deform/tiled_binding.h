@@ -105,7 +105,8 @@ bool compressible(std::size_t vertices, std::size_t handles);
 
 /// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine,
 /// the number is an upper bound if compressible weights shrink to about a quarter. For weights along the
-/// surface, the number includes the uncompressed weights of all vertices.
+/// surface, the number is the largest sum at one time: first solver and solved weights, then solved weights
+/// and binding.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 

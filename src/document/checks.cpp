@@ -33,17 +33,13 @@ Elements faces_of(const mesh::Surface& surface, Elements triangles) {
   return triangles;
 }
 
-bool inside_out(const mesh::Summary& summary) {
-  return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
-}
-
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
   add_edges(found, Defect::open, subject, summary.boundary_edges);
   add_edges(found, Defect::nonmanifold_edge, subject, summary.nonmanifold_edges);
   add(found, Defect::pinched_vertex, subject, ElementKind::vertex, mesh::nonmanifold_vertices(surface));
   add_edges(found, Defect::misoriented, subject, summary.misoriented_edges);
-  if (inside_out(summary)) {
+  if (summary.inside_out()) {
     Elements all(surface.polygon_count());
     std::iota(all.begin(), all.end(), 0u);
     add(found, Defect::inside_out, subject, ElementKind::face, std::move(all));
@@ -89,7 +85,9 @@ const Words& words_of(Defect defect) {
        "Vertices coincide, for example along seams. They stay together, but shading shows an edge."},
       {"vertex without a face", "vertices without a face",
        "The vertex belongs to no face. Dragging it has no effect.",
-       "The vertex belongs to no face. It is deformed and exported but invisible."}};
+       "The vertex belongs to no face. It is deformed and exported but invisible."},
+      {"repeated face", "repeated faces",
+       "The face has the corners of an earlier face. The deformation ignores it.", ""}};
   return all[static_cast<std::size_t>(defect)];
 }
 
@@ -125,6 +123,7 @@ std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surfa
 
 std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary) {
   std::vector<Finding> found;
+  if (model.triangles.empty()) return found;  // points, which are drawn without faces
   check_edges(found, model, summary, Subject::model);
   add(found, Defect::doubled_vertex, Subject::model, ElementKind::vertex, mesh::duplicate_vertices(model));
   add(found, Defect::unused_vertex, Subject::model, ElementKind::vertex, summary.unused_vertices);
@@ -141,6 +140,11 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   check_edges(found, joined, summary, Subject::cage);
   add(found, Defect::thin, Subject::cage, ElementKind::face,
       faces_of(cage, mesh::thin_triangles(cage, thin)));
+  const auto repeated = mesh::repeated_polygons(cage);
+  Elements repeats;
+  for (std::uint32_t p = 0; p < repeated.size(); ++p)
+    if (repeated[p]) repeats.push_back(p);
+  add(found, Defect::repeated_face, Subject::cage, ElementKind::face, std::move(repeats));
   const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
   // Welding leaves duplicate vertices without faces. Such vertices do not count as unused.
@@ -181,7 +185,8 @@ std::string meaning(const Finding& finding) {
 
 bool matters(const Finding& finding) {
   if (finding.subject == Subject::model) return finding.defect == Defect::vertices_outside;
-  return finding.defect != Defect::inside_out && finding.defect != Defect::unused_vertex;
+  return finding.defect != Defect::inside_out && finding.defect != Defect::unused_vertex &&
+         finding.defect != Defect::repeated_face;
 }
 
 namespace {

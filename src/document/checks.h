@@ -26,6 +26,7 @@ enum class Defect {
   thin,               ///< cage faces that contain a triangle thinner than a thousandth of its length
   doubled_vertex,     ///< vertices at the position of another vertex
   unused_vertex,      ///< vertices without a face
+  repeated_face,      ///< cage faces with the corners of an earlier face
 };
 
 enum class Subject { model, cage };

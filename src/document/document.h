@@ -138,7 +138,7 @@ public:
   void put_carried(std::vector<Carried> carried) { carried_ = std::move(carried); }
 
 private:
-  // What opening files sets, and the method. Undo does not change it.
+  // Undo does not change these members.
   struct Opened {
     OpenedSurface model;
     std::filesystem::path cage_beside;

@@ -319,8 +319,10 @@ json read_json(const std::filesystem::path& path) {
 std::optional<JsonReader> JsonReader::find(const std::string& key) const {
   if (!value_.is_object()) expected("an object");
   const auto found = value_.find(key);
-  if (found == value_.end() || found->is_null()) return std::nullopt;
-  return JsonReader(*found, file_, key_.empty() ? key : key_ + "." + key);
+  if (found == value_.end()) return std::nullopt;
+  found_->insert(&*found);
+  if (found->is_null()) return std::nullopt;
+  return JsonReader(*found, file_, key_.empty() ? key : key_ + "." + key, found_);
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
@@ -335,13 +337,28 @@ std::vector<std::string> JsonReader::keys() const {
   return keys;
 }
 
+std::set<std::string> JsonReader::ignored_keys() const {
+  std::set<std::string> keys;
+  add_ignored(value_, keys);
+  return keys;
+}
+
+// Visits no numbers and texts in lists, so that long lists are fast.
+void JsonReader::add_ignored(const json& value, std::set<std::string>& keys) const {
+  if (value.is_object())
+    for (const auto& [key, inner] : value.items())
+      found_->contains(&inner) ? add_ignored(inner, keys) : void(keys.insert(key));
+  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i)
+    if (value[i].is_structured()) add_ignored(value[i], keys);
+}
+
 std::size_t JsonReader::size() const {
   if (!value_.is_array()) expected("a list");
   return value_.size();
 }
 
 JsonReader JsonReader::item(std::size_t index) const {
-  return JsonReader(value_.at(index), file_, key_ + "[" + std::to_string(index) + "]");
+  return JsonReader(value_.at(index), file_, key_ + "[" + std::to_string(index) + "]", found_);
 }
 
 bool JsonReader::boolean() const {

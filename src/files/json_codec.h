@@ -9,11 +9,14 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <map>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <unordered_set>
 #include <vector>
 
 #include "base/choice.h"
@@ -43,13 +46,15 @@ nlohmann::json read_json(const std::filesystem::path& path);
 /// function throws base::Error, `file: key: problem`. `value` must outlive this object.
 class JsonReader {
 public:
-  JsonReader(const nlohmann::json& value, std::string file, std::string key = "")
-      : value_(value), file_(std::move(file)), key_(std::move(key)) {}
+  JsonReader(const nlohmann::json& value, std::string file)
+      : JsonReader(value, std::move(file), "", std::make_shared<Found>()) {}
 
   /// These functions need an object. For a missing key or a null, find() returns nullopt and at() throws.
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
   std::vector<std::string> keys() const;
+  /// Returns the keys inside this value for which nobody has called find() or at().
+  std::set<std::string> ignored_keys() const;
   /// These functions need an array.
   std::size_t size() const;
   JsonReader item(std::size_t index) const;
@@ -80,10 +85,15 @@ public:
   [[noreturn]] void expected(const char* what) const;
 
 private:
+  using Found = std::unordered_set<const nlohmann::json*>;  // the values that find() has found
+  JsonReader(const nlohmann::json& value, std::string file, std::string key, std::shared_ptr<Found> found)
+      : value_(value), file_(std::move(file)), key_(std::move(key)), found_(std::move(found)) {}
   void check_size(std::size_t n) const;
+  void add_ignored(const nlohmann::json& value, std::set<std::string>& keys) const;
 
   const nlohmann::json& value_;
   std::string file_, key_;
+  std::shared_ptr<Found> found_;  // shared by all values of the file
 };
 
 /// A list of shapes. Other values of the file refer to a shape by its index.

@@ -64,11 +64,6 @@ void take_cage_warnings(Opened& opened) {
   const document::Document& document = *opened.document;
   append(opened.warnings, document.cage_file().warnings);
   if (!document.has_cage()) return;
-  const auto repeats = std::ranges::count(mesh::repeated_polygons(document.cage()->surface), 1);
-  if (repeats > 0)
-    opened.warnings.push_back(place_of(document.cage_file()) + ": " +
-                              base::counted(static_cast<std::size_t>(repeats), "face") +
-                              " listed twice; the repetition is ignored");
   if (!document.cage()->closed) return;
   const Outside found = outside(document.cage()->surface, *document.model().surface);
   if (2 * found.count <= found.of) return;
@@ -330,6 +325,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   if (document.has_cage() && session.pose.positions.empty() && !session.shape) set_pose_from_keys(document);
   document.changed_selection() = without_hidden(document, document.selection());
   opened.warnings = changes_since(session, document, file);
+  append(opened.warnings, session.notes);
   opened.document = std::move(document);
   take_warnings(opened);
   return opened;

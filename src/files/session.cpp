@@ -425,6 +425,10 @@ Session read_session(const fs::path& file) {
   if (const auto found = json.find("shapes")) code(JsonField(*found, shapes), shapes);
   Session session;
   code_session(JsonField(json, shapes), session, {resolved(file).parent_path(), true});
+  constexpr std::size_t most_notes = 8;
+  for (const std::string& key : json.ignored_keys())
+    if (session.notes.size() < most_notes)
+      session.notes.push_back(file.string() + ": unknown key ignored: " + formats::in_quotes(key));
   document::PoseLibrary named;  // the same poses with unique names
   for (document::NamedPose& pose : std::exchange(session.library.poses, {})) {
     pose.name = free_name(named, pose.name);

@@ -15,7 +15,7 @@
 namespace viete::files {
 
 /// The contents of a session file. Only the keys format, version and model are required. Unknown keys are
-/// ignored, because newer programs may write them. An invalid value is an error.
+/// ignored with a note, because newer programs may write them. An invalid value is an error.
 ///
 /// After reading, `cage` is null, and `model` and `cage_file` have a path and a checksum of the content. If
 /// the cage has no path, `cage_file` has its surface. An empty `pose` is the pose of the keys or, without
@@ -30,6 +30,7 @@ struct Session : document::DocumentState {
   document::SideWays sides;
   document::Handling handling;
   std::optional<glm::ivec2> window;  ///< size in logical pixels
+  std::vector<std::string> notes;    ///< about the file; not written
 };
 
 /// Returns the text of the session file `file`. If `portable`, file names are relative to the folder of

@@ -246,7 +246,7 @@ private:
     const auto order = mesh::vertex_order(read.surface, model_, keeps_order);
     if (!order)
       throw base::Error(file, mesh::first_difference(read.surface, model_, "the model"),
-                        "choose a shape of the same model (same vertices and faces)");
+                        "choose a shape of the same model, exported with its vertex order or its face order");
     std::vector<mesh::Point> positions = mesh::picked<mesh::Point>(read.surface.positions, *order);
     if (!std::ranges::is_sorted(*order))
       all_.warnings.push_back(file + ": the vertex order differs; vertices were matched by the faces");

@@ -342,7 +342,6 @@ private:
   }
 
   std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) {
-    const AffineMap& map = map_.placements[piece.placement].map;
     std::vector<float> values = floats(piece.positions, 3);
     const std::vector<double> added = differences(piece, &GltfTarget::positions);
     for (std::size_t i = 0; i < piece.count; ++i) {
@@ -351,10 +350,16 @@ private:
       const mesh::Point local = inverse.of_point(posed_[v]) - vector_at(added, i);
       check_written(file_.name, v, local, largest_float);
       set(values, 3 * i, local);
-      const mesh::Vec3 stored{values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-      rounding_ = std::max(rounding_, mesh::largest_abs(map.of_vector(stored - local)));
+      add_rounding(piece, local);
     }
     return values;
+  }
+
+  void add_rounding(const GltfPiece& piece, const mesh::Point& local) {
+    mesh::Vec3 change = local;
+    for (double& x : change) x = static_cast<double>(static_cast<float>(x)) - x;
+    const AffineMap& map = map_.placements[piece.placement].map;
+    rounding_ = std::max(rounding_, mesh::largest_abs(map.of_vector(change)));
   }
 
   std::vector<float> normals_of(const GltfPiece& piece, const AffineMap& inverse) const {
@@ -446,7 +451,7 @@ private:
 
   // Unmoved vertices get exactly the values of the file, so that the offsets are exactly 0.
   void add_target(GltfMorphs& out, const std::vector<MorphedPiece>& pieces, std::span<const mesh::Point> now,
-                  bool with_normals) const {
+                  bool with_normals) {
     std::vector<mesh::Vec3> normals, tangents;
     if (with_normals && !normals_.empty())
       normals = deformed_normals(rest_, now, unmoved_normals_, map_.corner_vertex, map_.surface_vertex);
@@ -471,7 +476,11 @@ private:
           values(
               p.vertices.positions, &GltfTarget::positions,
               [&](auto v) { return now[place(v)] != posed_[place(v)]; },
-              [&](auto v) { return p.inverse.of_point(now[place(v)]); }),
+              [&](auto v) {
+                const mesh::Point local = p.inverse.of_point(now[place(v)]);
+                add_rounding(*p.piece, local);  // other programs add offsets to positions in float
+                return local;
+              }),
           values(
               p.vertices.normals, &GltfTarget::normals, [&](auto v) { return normals[v] != normals_[v]; },
               [&](auto v) { return unit_or_zero(p.inverse.of_normal(normals[v])); }),

@@ -38,7 +38,8 @@ float hollowness(const Adjacency& around, std::span<const Vec3f> points, std::si
 }  // namespace
 
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
-                               std::span<const Triangle> triangles, Adjacency around, int levels) {
+                               std::span<const Triangle> triangles, Adjacency around, bool inside_out,
+                               int levels) {
   base::WorkerPool pool(positions.size() > base::large_block ? 0 : 1);
   const auto for_vertices = [&](const auto& use) {
     pool.for_blocks(positions.size(), base::large_block, [&](std::size_t begin, std::size_t end) {
@@ -65,7 +66,8 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
     }
     for_vertices([&](std::size_t v) { sum[v] += hollow[v]; });
   }
-  for (float& value : sum) value = 1 - std::clamp(2.0F * value, 0.0F, 1.0F);
+  const float scale = inside_out ? -2.0F : 2.0F;
+  for (float& value : sum) value = 1 - std::clamp(scale * value, 0.0F, 1.0F);
   return sum;
 }
 

@@ -26,6 +26,7 @@ struct Summary {
   bool closed() const { return boundary_edges.empty() && triangles > 0; }
   bool manifold() const { return nonmanifold_edges.empty(); }
   bool oriented() const { return misoriented_edges.empty(); }
+  bool inside_out() const { return closed() && manifold() && oriented() && volume < 0; }
 };
 
 /// Lists are sorted. Linear time. Lengths must be from 1e-100 to 1e100.

@@ -100,10 +100,14 @@ std::string first_difference(const Surface& found, const Surface& wanted, const 
   const bool polygons = found.polygon_count() == wanted.polygon_count();
   const Faces theirs = faces_of(found, polygons), ours = faces_of(wanted, polygons);
   if (theirs.count() != ours.count()) return counts(theirs.count(), ours.count(), "faces");
-  std::size_t face = 0;
-  while (face + 1 < ours.count() && std::ranges::equal(theirs.of(face), ours.of(face))) ++face;
-  return "face " + std::to_string(face) + " (counted from 0) has the vertices " + face_text(theirs, face) +
-         ", in " + of + " " + face_text(ours, face);
+  std::vector<std::size_t> differing;
+  for (std::size_t face = 0; face < ours.count(); ++face)
+    if (!std::ranges::equal(theirs.of(face), ours.of(face))) differing.push_back(face);
+  const bool reordered = 2 * differing.size() > ours.count();
+  const std::size_t face = differing.empty() ? 0 : differing[0];
+  return (reordered ? "neither the vertices nor the faces are in the order of " + of + ": " : "") + "face " +
+         std::to_string(face) + " (counted from 0) has the vertices " + face_text(theirs, face) + ", in " +
+         of + " " + face_text(ours, face);
 }
 
 }  // namespace viete::mesh

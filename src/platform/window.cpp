@@ -105,10 +105,11 @@ GLFWwindow* open_window(glm::ivec2 size) {
   return glfwCreateWindow(size.x, size.y, "Viete", nullptr, nullptr);
 }
 
-float content_scale(GLFWwindow* window) {
+// Returns `wanted`, or the display's scale if `wanted` is 0.
+float used_scale(GLFWwindow* window, float wanted) {
   float scale = 1;
   glfwGetWindowContentScale(window, &scale, nullptr);
-  return scale;
+  return std::max(wanted > 0 ? wanted : scale, 0.5f);
 }
 
 // Returns the largest window size that fits on the screen. If this size is unknown, returns `otherwise`.
@@ -122,7 +123,10 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Sets the window's size, limited to the screen. Also sets the minimum size, so that the panels have room.
+// The smallest window in which the panels have room, in logical pixels.
+constexpr glm::ivec2 least_size{640, 400};
+
+// Sets the window's size and minimum size, both limited to the screen.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
@@ -130,9 +134,9 @@ void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glfwGetFramebufferSize(window, &pixels, nullptr);
   const float factor = units.x == pixels ? scale : 1;  // window units per logical pixel
   const auto in_units = [&](glm::ivec2 logical) { return glm::ivec2(glm::vec2(logical) * factor); };
-  const glm::ivec2 wanted = in_units(size), least = in_units({640, 400});
+  const glm::ivec2 wanted = in_units(size), room = room_for(window, wanted), fitting = glm::min(wanted, room);
+  const glm::ivec2 least = glm::min(in_units(least_size), room);
   glfwSetWindowSizeLimits(window, least.x, least.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
-  const glm::ivec2 fitting = glm::min(wanted, room_for(window, wanted));
   if (fitting != units) glfwSetWindowSize(window, fitting.x, fitting.y);
 }
 
@@ -180,9 +184,9 @@ std::unique_ptr<Window> Window::open(glm::ivec2 size, float scale, std::string& 
     glfwTerminate();
     return nullptr;
   }
-  if (scale <= 0) scale = content_scale(handle);
+  scale = used_scale(handle, scale);
   fit(handle, size, scale);
-  return std::unique_ptr<Window>(new Window(handle, std::max(scale, 0.5f)));
+  return std::unique_ptr<Window>(new Window(handle, scale));
 }
 
 Window::Window(GLFWwindow* handle, float scale) : handle_(handle), scale_(scale) {
@@ -207,6 +211,12 @@ glm::ivec2 Window::device_size() const {
 
 glm::ivec2 Window::size() const {
   return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(device_size()) / scale_));
+}
+
+void Window::set_scale(float scale) {
+  scale_ = used_scale(handle_, scale);
+  if (!full_screen()) fit(handle_, glm::max(size(), least_size), scale_);
+  events_.exposed();
 }
 
 // Returns logical pixels per window unit. A unit is a device pixel on X11, and a logical pixel on Wayland.

@@ -40,6 +40,8 @@ public:
 
   const render::Gl& gl() const { return *gl_; }
   float scale() const { return scale_; }
+  /// See open(). Enlarges a window that would be too small for the panels. Calls WindowEvents::exposed().
+  void set_scale(float scale);
   /// Returns the size in logical pixels, at least 1 x 1.
   glm::ivec2 size() const;
 

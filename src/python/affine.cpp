@@ -38,7 +38,9 @@ public:
     const auto before = axes.end() - static_cast<std::ptrdiff_t>(std::min(axes.size(), own.size()));
     if (!std::equal(before, axes.end(), own.begin(), own.end()))
       wrong(function_, py::str("{} must end in axes {}; this shape is {}").format(what, own, axes));
-    shape = numpy_.attr("broadcast_shapes")(shape, Axes(axes.begin(), before)).cast<Axes>();
+    shape = with_numpy(function_, [&] {
+      return numpy_.attr("broadcast_shapes")(shape, Axes(axes.begin(), before)).cast<Axes>();
+    });
     all_.push_back({array, own});
   }
 

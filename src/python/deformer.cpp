@@ -127,10 +127,7 @@ void define_deformer(py::module_& m) {
 }  // namespace
 
 void define_deformation(py::module_& m) {
-  static PyObject* const error = PyErr_NewExceptionWithDoc(
-      "viete.Error", "Raised for invalid files and arrays; the message says what is wrong and what to do.",
-      PyExc_ValueError, nullptr);
-  m.attr("Error") = py::reinterpret_borrow<py::object>(error);
+  static PyObject* const error = m.attr("Error").ptr();
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -39,7 +39,7 @@ std::string shape_text(const py::array& a) {
 }
 
 void wrong(const char* function, const std::string& what) {
-  throw py::value_error("viete." + std::string(function) + ": " + what);
+  throw WrongValue("viete." + std::string(function) + ": " + what);
 }
 
 bool overlap(const py::array& a, const py::array& b) {

@@ -24,8 +24,8 @@ void define_spaces(py::module_& m);
 
 using Points = std::vector<Point3>;
 
-/// Converts an array (n, 3) of any real type and layout to contiguous doubles. Raises TypeError or ValueError
-/// with the name of the function.
+/// Converts an array (n, 3) of any real type and layout to contiguous doubles. Raises TypeError or
+/// viete.Error with the name of the function.
 Contiguous<double> rows_of_3(const char* function, const py::object& object);
 std::span<const double> numbers_of(const Contiguous<double>& array);
 Points points_of(const char* function, const py::object& object);

@@ -127,9 +127,11 @@ py::object exp_of_sum(const char* name, const py::object& base, const char* axes
                       const py::array& logs) {
   const std::string own = symmetric_shape(name, logs).axes == 2 ? "ij" : "i";
   const py::str text = "...{0},...{0}{1}->...{1}";
-  const py::object sum = py::module_::import("numpy").attr("einsum")(text.format(axes, own), weights, logs);
-  return apply(name, (base + sum).attr("astype")(logs.dtype()), py::none(),
-               [](const auto&... v) { sym3::exp(v...); });
+  const py::object exponent = with_numpy(name, [&] {
+    const py::object sum = py::module_::import("numpy").attr("einsum")(text.format(axes, own), weights, logs);
+    return (base + sum).attr("astype")(logs.dtype());
+  });
+  return apply(name, exponent, py::none(), [](const auto&... v) { sym3::exp(v...); });
 }
 
 // Source: V. Arsigny et al., Log-Euclidean metrics for fast and simple calculus on diffusion tensors, 2006.
@@ -142,7 +144,8 @@ py::object mean(const py::object& a, const py::object& weights) {
 
 py::object interpolate(const py::object& a, const py::object& b, const py::object& t) {
   const py::object from = log_of("interpolate", a), to = log_of("interpolate", b);
-  return exp_of_sum("interpolate", from, "", numbers("interpolate", "t", t), to - from);
+  const py::object difference = with_numpy("interpolate", [&] { return to - from; });
+  return exp_of_sum("interpolate", from, "", numbers("interpolate", "t", t), difference);
 }
 
 constexpr const char* shapes =
@@ -195,6 +198,8 @@ void define_tangent(py::module_& m, const char* name, const F& f, const Extra&..
 PYBIND11_MODULE(viete, m) {
   m.doc() = "Cage-based mesh deformation, and fast, accurate functions of many symmetric 3x3 matrices.";
   m.attr("__version__") = VIETE_VERSION;
+  py::register_local_exception<WrongValue>(m, "Error", PyExc_ValueError).attr("__doc__") =
+      "Raised for invalid files and arrays; the message says what is wrong and what to do.";
   py::register_local_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);

@@ -195,8 +195,7 @@ void key_list(const Context& ui) {
 
 float key_question(const Context& ui, float bottom) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.panels.ask_keys || !w.view.options.panels || w.panels.key_list.open || w.jobs.loading.running ||
-      w.files.browser.open || w.files.question || offers_next_step(w))
+  if (!w.panels.ask_keys || !w.view.options.panels || w.jobs.loading.running || offers_next_step(w))
     return bottom;
   const Window window("Choose keymap",
                       {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}},

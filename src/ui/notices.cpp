@@ -69,16 +69,13 @@ const std::vector<workspace::PictureShape>& picture_of(const Context& ui, const 
   return entry->second;
 }
 
-const ImVec2 recovery_card_size{196, 46};
+}  // namespace
 
-// Draws picture, name and date of recovered edits. A click restores them.
-void recovery_card(const Context& ui, const files::RecoveryFile& file, std::size_t index) {
-  const std::string id = "recovery/" + std::to_string(index);
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 high{low.x + recovery_card_size.x, low.y + recovery_card_size.y};
-  const bool free = !ui.workspace.jobs.loading.running;
-  if (ImGui::InvisibleButton(id.c_str(), recovery_card_size) && free)
-    ui.workspace.jobs.wishes.open({files::OpenRequest::What::recovery, {file.file}});
+bool recovery_card(const Context& ui, const files::RecoveryFile& file, const std::string& id, float width) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + recovery_card_height};
+  const bool restored =
+      ImGui::InvisibleButton(id.c_str(), {width, recovery_card_height}) && !ui.workspace.jobs.loading.running;
+  if (restored) ui.workspace.jobs.wishes.open({files::OpenRequest::What::recovery, {file.file}});
   record(ui, id);
   card(ui, low, high, false);
   hint("Restore these edits.  Folder: " + file.folder.string());
@@ -87,17 +84,21 @@ void recovery_card(const Context& ui, const files::RecoveryFile& file, std::size
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddText({left, low.y + 5}, ui.colors.text, shortened(file.name, high.x - left - 6).c_str());
   draw.AddText({left, low.y + 24}, ui.colors.faint, files::when(file.time).c_str());
+  return restored;
 }
+
+namespace {
 
 // One row of cards, newest first, and the number of files without a card.
 void recovery_cards(const Context& ui, const std::vector<files::RecoveryFile>& files) {
+  constexpr float width = 196;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x + gap - (files.size() > 1 ? 60 : 0);
-  const auto fitting = static_cast<std::size_t>(room / (recovery_card_size.x + gap));
+  const auto fitting = static_cast<std::size_t>(room / (width + gap));
   const std::size_t cards = std::clamp<std::size_t>(fitting, 1, files.size());
   for (std::size_t i = 0; i < cards; ++i) {
     if (i > 0) ImGui::SameLine();
-    recovery_card(ui, files[i], i);
+    recovery_card(ui, files[i], "recovery/" + std::to_string(i), width);
   }
   if (cards == files.size()) return;
   ImGui::SameLine();

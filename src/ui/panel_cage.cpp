@@ -155,11 +155,6 @@ void panel_making(const Context& ui) {
 
 namespace {
 
-bool is_free(const workspace::Workspace& w) {
-  return w.panels.offer_cage && w.document.model().surface && !w.making.open && !w.jobs.loading.running &&
-         !w.files.browser.open && !w.files.question && w.view.options.panels && !w.panels.key_list.open;
-}
-
 // The finding about vertices outside the cage. Null during the checks, and after the first edit unless a
 // change of the cage has pushed vertices out.
 const document::Finding* outside(const workspace::Workspace& w) {
@@ -197,7 +192,7 @@ void ways_to_a_cage(const Context& ui) {
 }  // namespace
 
 bool offers_next_step(const workspace::Workspace& w) {
-  return is_free(w) && (!w.document.is_movable() || outside(w));
+  return workspace::may_offer_cage(w) && !w.jobs.loading.running && (!w.document.is_movable() || outside(w));
 }
 
 float cage_offer(const Context& ui, float bottom) {

@@ -97,8 +97,8 @@ void panel_method(const Context& ui) {
   const bool orange = running_sample(w) && std::ranges::any_of(w.frame.methods.samples, is_visible);
   note(ui, !used                                      ? "This deformer uses no exponential."
            : !document::differs_from_rest(w.document) ? "Pose the cage to compare the methods."
-           : orange                                   ? "Orange: can become visible."
-                                                      : "Medians over the matrices of this frame");
+           : orange                                   ? "Orange errors can become visible."
+                                                      : "Medians over the matrices of this frame.");
   hint("Median time over " + count(w.frame.methods.matrices) +
        " matrices of this frame; errors are relative to 106-bit results. Teal marks the best values, "
        "orange errors above 1e-10, which can add up to visible errors. At rest all errors are 0.");
@@ -180,9 +180,9 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
   return std::nullopt;
 }
 
-// A line above bars that names their engine.
+// A text above bars that names their engine.
 void engine_line(const Context& ui, const char* engine, const char* tip) {
-  text_in(ui.colors.faint, engine);
+  text_in(ui.colors.faint, wrapped(engine, ImGui::GetContentRegionAvail().x));
   hint(tip);
 }
 
@@ -215,12 +215,15 @@ bool is_measured(const workspace::MethodTimes& all, Link stage) {
   return std::ranges::any_of(all.links, [&](const auto& times) { return times[stage] > 0; });
 }
 
-// Draws the names of the stages, four per line. Returns the stage under the cursor.
+// Draws the names of the stages, up to four per line. Returns the stage under the cursor.
 Stage legend(const Context& ui) {
-  constexpr std::size_t columns = 4, rows = 2;
+  constexpr std::size_t rows = 2;
+  constexpr float longest_name = 70;
   const workspace::Workspace& w = ui.workspace;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x / columns, line = ImGui::GetTextLineHeight() + 2;
+  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight() + 2;
+  const auto columns = static_cast<std::size_t>(std::clamp(room / longest_name, 1.0f, 4.0f));
+  const float width = room / static_cast<float>(columns);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   Stage under_cursor;
   std::size_t count = 0;

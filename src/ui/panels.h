@@ -75,10 +75,13 @@ float key_question(const Context& ui, float bottom);  ///< the choice of a keyma
 float work_bar(const Context& ui, float bottom);      ///< running work, with progress and Cancel
 float map_legend(const Context& ui, float bottom);    ///< the meaning of the colours of the mesh
 bool offers_next_step(const workspace::Workspace& workspace);  ///< true if cage_offer() is shown
-float notice_room(const Context& ui);                          ///< the width for notices, without the tools
-void notice_bar(const Context& ui);                            ///< offers to restore recovered edits
-void transform_fields(const Context& ui);                      ///< number fields of the tool
-void hand_overlay(const Context& ui);                          ///< mirror partners, soft radius and pivot
+/// Draws picture, name and date of recovered edits. Returns true if a click restores them.
+bool recovery_card(const Context& ui, const files::RecoveryFile& file, const std::string& id, float width);
+inline constexpr float recovery_card_height = 46;
+float notice_room(const Context& ui);      ///< the width for notices, without the tools
+void notice_bar(const Context& ui);        ///< offers to restore recovered edits
+void transform_fields(const Context& ui);  ///< number fields of the tool
+void hand_overlay(const Context& ui);      ///< mirror partners, soft radius and pivot
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);

@@ -34,9 +34,8 @@ void scale_setting(const Context& ui) {
   std::optional<float>& scale = ui.workspace.preferences.scale;
   const auto* nearest = std::ranges::min_element(
       scales, {}, [&](float entry) { return std::abs(entry - scale.value_or(0.0f)); });
-  const auto chosen =
-      setting(ui, "Interface scale", "preferences/scale", entries, static_cast<std::size_t>(nearest - scales),
-              "Size of text and buttons. Applies when Viete starts again.");
+  const auto chosen = setting(ui, "Interface scale", "preferences/scale", entries,
+                              static_cast<std::size_t>(nearest - scales), "Size of text and buttons.");
   if (chosen) scale = *chosen == 0 ? std::nullopt : std::optional(scales[*chosen]);
 }
 
@@ -54,23 +53,13 @@ void recovered_edits(const Context& ui) {
   heading(ui, "Recovered edits");
   const std::vector<files::RecoveryFile> offers = w.recovery.offers();
   if (offers.empty()) return note(ui, "No recovered edits. They appear here after a crash.");
-  constexpr std::size_t most_rows = 6;
-  const std::size_t rows = std::min(most_rows, offers.size());
-  ImGui::BeginChild("recovered", {0, static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing()});
-  for (std::size_t i = 0; i < offers.size(); ++i) {
-    const files::RecoveryFile& kept = offers[i];
-    ImGui::PushID(static_cast<int>(i));
-    const float end = ImGui::GetContentRegionAvail().x - 80;
-    row_label(shortened(kept.name, end - 130).c_str(), end - 120);
-    hint("Folder: " + kept.folder.string());
-    text_in(ui.colors.faint, files::when(kept.time));
-    ImGui::SameLine(end);
-    if (button(ui, "Restore", "preferences/restore/" + std::to_string(i), "Open these edits.", {76, 0})) {
-      w.jobs.wishes.open({files::OpenRequest::What::recovery, {kept.file}});
+  constexpr std::size_t most_rows = 4;
+  const auto rows = static_cast<float>(std::min(most_rows, offers.size()));
+  ImGui::BeginChild("recovered", {0, rows * (recovery_card_height + ImGui::GetStyle().ItemSpacing.y)});
+  for (std::size_t i = 0; i < offers.size(); ++i)
+    if (recovery_card(ui, offers[i], "preferences/restore/" + std::to_string(i),
+                      ImGui::GetContentRegionAvail().x))
       w.panels.show_preferences = false;
-    }
-    ImGui::PopID();
-  }
   ImGui::EndChild();
   if (button(ui, "Discard all", "preferences/discard", "Delete all recovered edits, after asking."))
     w.files.question = workspace::ask_before_discarding(offers.size());

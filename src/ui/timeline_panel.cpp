@@ -184,7 +184,7 @@ void way_choice(const Context& ui) {
     const bool on = linear == (i == 1);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/linear", hints[i], {68, bar_height}) && !on)
+    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/linear", hints[i], {76, bar_height}) && !on)
       command.run(ui.workspace);
     if (on) ImGui::PopStyleColor(2);
   }

@@ -125,11 +125,13 @@ std::vector<files::RecoveryFile> Recovery::offers() const {
   return unseen.empty() ? files : unseen;
 }
 
+bool may_offer_cage(const Workspace& w) {
+  return w.panels.offer_cage && w.view.options.panels && w.document.model().surface && !w.making.open;
+}
+
 float offer_height(const Workspace& w) {
   constexpr float usual = 152, with_cage_beside = 198;
-  const bool offered = w.panels.offer_cage && w.view.options.panels && w.document.model().surface &&
-                       !w.making.open && !w.document.is_movable();
-  if (!offered) return 0;
+  if (!may_offer_cage(w) || w.document.is_movable()) return 0;
   const float height = w.document.cage_beside().empty() ? usual : with_cage_beside;
   return std::min(height, 0.5f * w.view.viewport.size.y);
 }

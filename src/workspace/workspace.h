@@ -316,6 +316,8 @@ document::SideWays ways_of(const Workspace& workspace);
 void begin_widget_edit(Workspace& workspace);
 void cancel_widget_edit(Workspace& workspace);
 
+/// True if the view may suggest to get a cage, or to enclose the model.
+bool may_offer_cage(const Workspace& workspace);
 /// The height in logical pixels of the suggestion to get a cage; 0 if it is not shown.
 float offer_height(const Workspace& workspace);
 

@@ -47,3 +47,17 @@ TEST_CASE("a_nan_result_makes_both_errors_nan") {
     CHECK(std::isnan(sample.median_error));
   }
 }
+
+TEST_CASE("times_of_a_busy_computer_are_measured_again_at_growing_intervals_and_not_forever") {
+  app::Retry retry;
+  double now = 100;
+  CHECK(retry.at > 1e9);
+  for (const double wait : {2, 4, 8, 16, 32, 64}) {
+    retry = retry.after(true, now);
+    CHECK(retry.at == now + wait);
+    now = retry.at;
+  }
+  CHECK(retry.after(true, now).at > 1e9);
+  CHECK(retry.after(false, now).at > 1e9);
+  CHECK(retry.after(false, now).after(true, now).at == now + 2);
+}

@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -50,6 +52,22 @@ TEST_CASE("unwritable_targets_are_errors_that_name_the_file") {
   }
   CHECK(fs::is_character_file("/dev/null"));
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("signals_end_the_process_without_a_part") {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const test::TemporaryFolder folder;
+    const pid_t child = fork();
+    if (child == 0) {
+      base::remove_parts_at_signals();
+      replace_file(folder / "a", [number](const auto&) { raise(number); });
+      _exit(0);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK((WIFSIGNALED(status) && WTERMSIG(status) == number));
+    CHECK(folder.entries() == 0);
+  }
 }
 
 TEST_CASE("a_failure_while_writing_leaves_the_old_file_and_no_part") {

@@ -189,6 +189,22 @@ TEST_CASE("important_findings_come_first") {
   CHECK(found[1].defect == Defect::unused_vertex);
 }
 
+TEST_CASE("a_repeated_face_is_named_and_does_not_matter") {
+  auto triangles = test::cube(1.5).triangles;
+  triangles.push_back({triangles[4][1], triangles[4][2], triangles[4][0]});
+  const auto found = check_in(with_triangles(test::cube(1.5), triangles));
+  const auto at = std::ranges::find(found, Defect::repeated_face, &Finding::defect);
+  REQUIRE(at != found.end());
+  CHECK(at->elements == List{12});
+  CHECK_FALSE(matters(*at));
+}
+
+TEST_CASE("points_have_no_findings_about_faces") {
+  mesh::Surface points;
+  points.positions = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+  CHECK(check_model(points, mesh::summarize(points)).empty());
+}
+
 TEST_CASE("checks_can_be_cancelled") {
   base::Progress progress;
   progress.cancel();

@@ -157,6 +157,12 @@ std::vector<std::string> said_on_opening(const fs::path& session) {
   return all;
 }
 
+void check_note(const fs::path& session, const std::string& end) {
+  const auto said = said_on_opening(session);
+  REQUIRE(said.size() == 1);
+  CHECK_MESSAGE(said[0].ends_with("viete: " + end), said[0]);
+}
+
 // Returns a session of the cube with additional members.
 std::string with(const std::string& members) {
   return R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" + members +
@@ -256,16 +262,23 @@ TEST_CASE("a_session_names_its_files_relative_to_itself_and_moves_with_them") {
   check_same(w, back);
 }
 
-TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored") {
+TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored_with_a_note") {
   const test::CubeFiles files;
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "later": {"x": [1]}})");
   CHECK_FALSE(test::opened({files / "a.viete"}).document.has_cage());
+  check_note(files / "a.viete", "unknown key ignored: \"later\"");
   test::put_file(files / "b.viete", with(R"("view": {"dark": false, "holograms": 3})"));
   const Workspace w = test::opened({files / "b.viete"});
   CHECK_FALSE(w.view.options.dark);
   CHECK(w.view.options.grid);
   CHECK_FALSE(differs_from_rest(w.document));
+  check_note(files / "b.viete", "unknown key ignored: \"holograms\"");
+  std::string odd = with("\"time\": {\"keys\": [" + key_text("2") + "," + key_text("5") + "]}");
+  for (std::size_t at = 0; (at = odd.find("\"frame\"", at)) != odd.npos; at += 20)
+    odd.insert(at, "\"odd\": {\"x\": 1}, ");
+  test::put_file(files / "odd.viete", odd);
+  check_note(files / "odd.viete", "unknown key ignored: \"odd\"");
   const std::string keys = "\"keys\": [" + key_text("2") + "," + key_text("5") + "]";
   test::put_file(files / "c.viete", with("\"time\": {\"frame\": 5, " + keys + "}"));
   const Workspace keyed = test::opened({files / "c.viete"});

@@ -489,3 +489,23 @@ TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
   const auto short_one = clip_of(input, plain, "LINEAR");
   CHECK_THROWS_WITH_AS(short_one->at_key(0), doctest::Contains("7 differences for 8 positions"), base::Error);
 }
+
+TEST_CASE("far_floats_of_a_file_round_moved_and_animated_positions_and_the_notes_state_the_error") {
+  const test::TemporaryFolder folder;
+  test::GltfParts parts = test::patch();
+  std::vector<float> far = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0, 2, 1, 0};
+  for (std::size_t i = 0; i < far.size(); ++i) far[i] += i % 3 == 1 ? 5411987.0f : 431234.0f;
+  parts.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = parts.accessor(far, 5126, "VEC3", 3);
+  test::put_file(folder / "far.glb", parts.glb());
+  const ReadResult r = read(folder / "far.glb");
+  std::vector<mesh::Point> moved = r.surface.positions;
+  for (mesh::Point& p : moved) p[1] += 0.2;  // floats are 0.5 apart there
+  const auto stated = [](const std::vector<std::string>& notes) {
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].starts_with("the number type of the file rounds coordinates by up to 0.2 ("));
+  };
+  stated(write(folder / "moved.glb", {r.surface, moved, {}}, r.original.get(), {}));
+  CHECK(read(folder / "moved.glb").surface.positions == r.surface.positions);
+  stated(test::write_morphs(folder / "played.glb", {r.surface, r.surface.positions, {}}, r.original.get(),
+                            {"a", {{0, "", r.surface.positions}, {1, "", moved}}}));
+}

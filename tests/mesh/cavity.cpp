@@ -8,12 +8,12 @@ using namespace viete;
 namespace {
 
 // Returns the shading of a ball. `side` is 1 for normals that point outward, -1 for inward.
-std::vector<float> cavity_of(const test::Surface& ball, double side) {
+std::vector<float> cavity_of(const test::Surface& ball, double side, bool inside_out = false) {
   std::vector<test::Point> normals;
   for (const test::Point& p : test::sphere(3).positions) normals.push_back(side * p);
   normals.resize(ball.positions.size(), {0, 0, 1});
   return mesh::bake_cavity(ball.positions, normals, ball.triangles,
-                           mesh::vertex_triangles(ball.positions.size(), ball.triangles));
+                           mesh::vertex_triangles(ball.positions.size(), ball.triangles), inside_out);
 }
 
 }  // namespace
@@ -21,6 +21,7 @@ std::vector<float> cavity_of(const test::Surface& ball, double side) {
 TEST_CASE("hollows_are_darker_than_planes_and_bulges_are_not") {
   for (const float x : cavity_of(test::sphere(3), 1)) CHECK(x == 1);
   for (const float x : cavity_of(test::sphere(3), -1)) CHECK((x >= 0 && x < 0.8F));
+  for (const float x : cavity_of(test::sphere(3), -1, true)) CHECK(x == 1);
   test::Surface flat = test::sphere(3);
   for (test::Point& p : flat.positions) p[2] = 0;
   const std::vector<test::Point> up(flat.positions.size(), {0, 0, 1});

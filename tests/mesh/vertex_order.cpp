@@ -57,5 +57,7 @@ TEST_CASE("renumbered_vertices_are_matched_by_faces_in_the_same_order_or_not_at_
   std::ranges::rotate(s.corners, s.corners.begin() + 4);
   triangulate(s);
   CHECK_FALSE(vertex_order(s, cube(), true));
-  CHECK(first_difference(s, cube(), "the cage").starts_with("face 0 (counted from 0) has the vertices "));
+  CHECK(first_difference(s, cube(), "the cage")
+            .starts_with("neither the vertices nor the faces are in the order of the cage: face 0 (counted "
+                         "from 0) has the vertices "));
 }

@@ -6,7 +6,9 @@
 
 #include "formats/read.h"
 #include "formats/write.h"
+#include "mesh/summary.h"
 #include "program/command_line.h"
+#include "support/ball.h"
 #include "support/cube.h"
 #include "support/far.h"
 #include "support/pictures.h"
@@ -263,6 +265,35 @@ TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_
   CHECK(mentions(around, "finding     the cage has a fin: an odd number of faces share edge 6-7"));
   CHECK(mentions(around, "cage: 1 edge with more than two faces"));
   CHECK_FALSE(mentions(f.viete("info model.obj --cage cage.obj"), "has a fin"));
+}
+
+TEST_CASE("defects_of_the_cage_are_noted_once_by_every_command_that_deforms") {
+  const WorkFolder f;
+  formats::write(f / "model.obj", cube(1));
+  auto triangles = cube(2).triangles;
+  triangles.back() = triangles.front();
+  formats::write(f / "cage.obj", mesh::from_triangles(cube(2).positions, triangles));
+  for (const char* name : {"k_1.obj", "k_2.obj"}) fs::copy(f / "cage.obj", f / name);
+  for (const std::string words : {"deform model.obj cage.obj --pose cage.obj -o out.obj",
+                                  "render model.obj cage.obj --size 64x64 -o out.png",
+                                  "animate model.obj cage.obj --keys k_#.obj -o out.pc2"}) {
+    const std::string text = f.done(words).text, repeats = "cage.obj: 1 cage face repeats another face";
+    CHECK_MESSAGE(mentions(text, "cage.obj: 3 cage edges have only one face: the cage is open"), text);
+    REQUIRE_MESSAGE(mentions(text, repeats), text);
+    CHECK_FALSE(mentions(text.substr(text.find(repeats) + repeats.size()), "repeat"));
+  }
+  CHECK(mentions(f.done("info model.obj --cage cage.obj"), "cage: 1 repeated face\n"));
+}
+
+TEST_CASE("a_volume_of_rounding_errors_is_0") {
+  const WorkFolder f;
+  mesh::Surface s = ball(1.1, 1);
+  const std::vector<mesh::Triangle> front = s.triangles;
+  std::vector<mesh::Triangle> both = front;
+  for (std::size_t t = front.size(); t-- > 0;) both.push_back({front[t][1], front[t][0], front[t][2]});
+  formats::write(f / "both.obj", mesh::from_triangles(s.positions, both));
+  REQUIRE(mesh::summarize(formats::read(f / "both.obj").surface).volume != 0);
+  CHECK(mentions(f.done("info both.obj"), "volume      0\n"));
 }
 
 TEST_CASE("far_models_show_their_size_and_the_rounding_of_a_stream") {

@@ -133,6 +133,16 @@ TEST_CASE("typing_in_a_file_list_filters_the_list") {
   }
 }
 
+TEST_CASE("another_scale_applies_at_the_next_frame") {
+  Driver d;
+  d.frame(3);
+  d.viewer().resize({1280, 800}, 2);
+  d.frame();
+  CHECK(ImGui::GetIO().FontGlobalScale == 0.5f);
+  CHECK(ImGui::GetIO().DisplayFramebufferScale.x == 2);
+  CHECK(d.viewer().device_size() == glm::ivec2(2560, 1600));
+}
+
 TEST_CASE("preferences_change_scale_motion_autosave_and_list_recovered_edits") {
   const test::TemporaryFolder folder;
   Driver d;

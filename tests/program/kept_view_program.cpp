@@ -138,7 +138,7 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   d.press_key(workspace::Key::enter);
   d.frame();
   CHECK(d.viewer().views_drawn() > views);
-  d.viewer().resize({690, 420});
+  d.viewer().resize({690, 420}, 1);
   d.frame();
   CHECK(d.viewer().has_drawn());
 }

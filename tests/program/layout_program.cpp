@@ -377,7 +377,7 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
   Driver d;
   d.open_dragon();
   for (const glm::ivec2 size : {glm::ivec2(1500, 1000), glm::ivec2(700, 420), glm::ivec2(1280, 700)}) {
-    d.viewer().resize(size);
+    d.viewer().resize(size, 1);
     d.frame();
     for (int i = 0; i < 20 && d.viewer().wants_frame(); ++i) d.frame();
     std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
