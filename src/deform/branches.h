@@ -41,9 +41,11 @@ struct Branches {
 
 /// Chooses a branch for each element's log, given the principal logs. Goes from the root of each part along
 /// spanning_forest(): an element gets the branch nearest to the log of its parent in the forest. For the
-/// root, takes the branch with the part's logs nearest to turns[part] (root mean square; 0 if missing):
-/// - Rejects a branch if neighbours' logs then differ much more than with the other branches.
-/// - If two branches are equally good, takes the branch nearer to the first part's mean log.
+/// root, takes the branch of its own log nearest to turns[part] (0 if missing). Replaces it by the branch
+/// with one turn more or less if the part's logs are then nearer to turns[part] (root mean square):
+/// - Not if neighbours' logs then differ much more. A smoother branch that is farther from turns[part] is not
+///   taken, because it would lose whole turns.
+/// - If two branches are equally near, takes the branch nearer to the first part's mean log.
 ///
 /// A log can have whole turns only about the axis of its rotation. Whole turns of turns[part] about another
 /// axis are kept only in Branches::turns. If turns[part] makes neighbours' logs too different, the part gets

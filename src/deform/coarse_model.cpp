@@ -16,14 +16,14 @@ bool needs_coarse_model(const mesh::Surface& model) {
                              [&](const auto& t) { return mesh::area(model.positions, t) > 0; });
 }
 
-CoarseModel::CoarseModel(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress)
-    : blocks_((model.positions.size() + vertices_per_block - 1) / vertices_per_block) {
-  base::require_memory({200.0 * static_cast<double>(model.positions.size()),
-                        "a coarse copy of " + std::to_string(model.positions.size()) + " vertices takes",
+CoarseModel::CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::WorkerPool& pool)
+    : surface_(proxy.surface()),
+      members_(proxy.members()),
+      blocks_((vertices + vertices_per_block - 1) / vertices_per_block) {
+  base::require_memory({200.0 * static_cast<double>(vertices),
+                        "a coarse copy of " + std::to_string(vertices) + " vertices takes",
                         "use a coarser model", ""});
-  const SurfaceProxy proxy(model, nullptr, Elements::face, proxy_vertices, pool, progress);
-  surface_ = proxy.surface(), members_ = proxy.members(), gathered_ = proxy.gathered();
-  pool.for_blocks(model.positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+  pool.for_blocks(vertices, vertices_per_block, [&](std::size_t begin, std::size_t end) {
     Block& block = blocks_[begin / vertices_per_block];
     std::vector<SurfaceProxy::Term> terms;
     for (std::size_t v = begin; v < end; ++v) {
@@ -89,10 +89,15 @@ Mask CoarseModel::means(const Mask& mask) const {
 
 void CoarseModel::move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const {
   pool.for_blocks(positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      for (const auto& [cluster, factor] : terms(v))
-        positions[v] = positions[v] + static_cast<double>(factor) * moves[cluster];
+    for (std::size_t v = begin; v < end; ++v) positions[v] = positions[v] + blended(moves, v);
   });
+}
+
+Vec3 CoarseModel::blended(std::span<const Vec3> moves, std::size_t vertex) const {
+  Vec3 sum{0, 0, 0};
+  for (const auto& [cluster, factor] : terms(vertex))
+    sum = sum + static_cast<double>(factor) * moves[cluster];
+  return sum;
 }
 
 RigidMotion CoarseModel::blended(std::span<const RigidMotion> motions, std::size_t vertex) const {

@@ -34,13 +34,12 @@ public:
   };
 
   /// Throws base::Error if the model has no triangles with an area. Throws base::Cancelled.
-  explicit CoarseModel(const mesh::Surface& model, base::WorkerPool& pool,
-                       base::Progress* progress = nullptr);
+  explicit CoarseModel(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress = nullptr)
+      : CoarseModel(SurfaceProxy(model, pool, progress), model.positions.size(), pool) {}
+  CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::WorkerPool& pool);
 
   const mesh::Surface& surface() const { return surface_; }
   const mesh::Adjacency& members() const { return members_; }
-  /// See SurfaceProxy::gathered().
-  std::size_t gathered() const { return gathered_; }
   /// A value at a vertex is the sum of factor * (value at the cluster).
   std::span<const Term> terms(std::size_t vertex) const;
   /// Replaces clusters that have no triangle with an area: their vertices move with the nearest other
@@ -53,6 +52,8 @@ public:
   void move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const;
   /// Returns the mean of the clusters' motions at a vertex. The mean of rotations is not orthogonal.
   RigidMotion blended(std::span<const RigidMotion> motions, std::size_t vertex) const;
+  /// Returns the sum of the clusters' displacements at a vertex.
+  Vec3 blended(std::span<const Vec3> moves, std::size_t vertex) const;
 
 private:
   struct Block {
@@ -62,7 +63,6 @@ private:
 
   mesh::Surface surface_;
   mesh::Adjacency members_;
-  std::size_t gathered_ = 0;
   std::vector<Block> blocks_;
 };
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "deform/cage_state.h"
 #include "deform/maps.h"
 #include "deform/plane_kernel.h"
 #include "mesh/triangle.h"
@@ -96,7 +97,7 @@ void ExamplePosing::restart() {
   usual_weights_ = weights_;
   turn_ = {0, 0, 0}, turns_ = false;
   damping_ = 1e-3, energy_ = std::numeric_limits<double>::infinity();
-  positions_ = space_.logs().rest();
+  positions_ = space_.logs().rest(), posed_.clear();
   if (space_.coarse()) model_positions_ = space_.rest();
 }
 
@@ -335,6 +336,13 @@ void ExamplePosing::begin_turn() {
 }
 
 double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSettings& settings) {
+  const double size = advance(targets, settings);
+  move_model();
+  return size;
+}
+
+// Makes a step. If there is a coarse model, moves only the pinned vertices of the model.
+double ExamplePosing::advance(std::span<const mesh::Point> targets, const PosingSettings& settings) {
   if (!std::ranges::equal(targets, given_)) energy_ = std::numeric_limits<double>::infinity();
   given_.assign(targets.begin(), targets.end());
   aim();
@@ -354,7 +362,7 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
     weights_ = last_weights_, turn_ = last_turn_;
     damping_ = std::min(10 * damping_, most_damping);
     energy_ = std::numeric_limits<double>::infinity();
-    return step(targets, settings);
+    return advance(targets, settings);
   }
   damping_ = std::max(damping_ / 3, least_damping);
   energy_ = energy;
@@ -382,11 +390,14 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
 
 int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSettings& settings, int most,
                          base::Progress* progress) {
-  for (int i = 1; i <= most; ++i) {
-    if (progress) progress->report(static_cast<double>(i) / most);
-    if (step(targets, settings) < at_rest) return i;
+  int steps = 0;
+  for (bool moves = true; moves && steps < most;) {
+    ++steps;
+    if (progress) progress->report(static_cast<double>(steps) / most);
+    moves = advance(targets, settings) >= at_rest;
   }
-  return most;
+  move_model();
+  return steps;
 }
 
 // Computes positions_. If settings.freedom is positive and there are previous positions, fits rotations to
@@ -429,12 +440,21 @@ void ExamplePosing::aim() {
 }
 
 void ExamplePosing::follow_clusters(std::span<const LogTerm> sum) {
-  space_.follow(sum, positions_, pool_, model_positions_);
-  std::vector<Vec3> moves = positions_;
+  std::vector<std::uint32_t> pinned;
+  for (const PosingPin& pin : pins_) pinned.push_back(pin.vertex);
+  space_.follow(sum, positions_, pool_, model_positions_, pinned);
+  posed_ = moves_ = positions_;
   aim();
   reach_targets();
-  for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = positions_[c] - moves[c];
-  space_.coarse()->move(moves, model_positions_, pool_);
+  for (std::size_t c = 0; c < moves_.size(); ++c) moves_[c] = positions_[c] - posed_[c];
+  for (const auto v : pinned) model_positions_[v] = model_positions_[v] + space_.coarse()->blended(moves_, v);
+}
+
+// Moves all vertices of the model with the clusters.
+void ExamplePosing::move_model() {
+  if (posed_.empty()) return;
+  space_.follow(terms(), posed_, pool_, model_positions_, first_numbers(model_positions_.size()));
+  space_.coarse()->move(moves_, model_positions_, pool_);
 }
 
 // Moves the pins towards the targets. All other vertices of the pinned parts follow.

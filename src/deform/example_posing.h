@@ -96,9 +96,11 @@ private:
   void begin_turn();
   std::vector<double> sums_of_blocks(std::size_t begin, std::size_t end) const;
   Reach reach_of_pins() const;
+  double advance(std::span<const mesh::Point> targets, const PosingSettings& settings);
   double show(const PosingSettings& settings);
   void aim();
   void follow_clusters(std::span<const LogTerm> sum);
+  void move_model();
   void reach_targets();
   void place_other_parts();
 
@@ -132,7 +134,9 @@ private:
   LogSpace::Work work_;
   std::vector<mesh::Point> positions_, before_;  // of the log space's vertices
   std::vector<mesh::Point> model_positions_;     // of the model's vertices, if there is a coarse model
-  std::vector<Vec3> left_;                       // blend of leftovers_, rotated by turn_
+  std::vector<mesh::Point> posed_;  // positions_ before the last reach_targets(), which added moves_
+  std::vector<Vec3> moves_;
+  std::vector<Vec3> left_;  // blend of leftovers_, rotated by turn_
 };
 
 }  // namespace viete::deform

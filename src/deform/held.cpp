@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "base/worker_pool.h"
+
 namespace viete::deform {
 
 namespace {
@@ -81,18 +83,20 @@ Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const
           std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());
   Held held(from.size());
-  for (std::size_t part = 0; part < parts.count(); ++part) {
-    const auto vertices = parts.vertices.of(part);
-    double total = 0;
-    for (const auto v : vertices) {
-      const double moved = farthest > 0 ? squares[v] / farthest + stillness : 1;
-      total += held[v] = parts.masses[v] / (moved * moved);
+  base::for_blocks(parts.count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t part = begin; part < end; ++part) {
+      const auto vertices = parts.vertices.of(part);
+      double total = 0;
+      for (const auto v : vertices) {
+        const double moved = farthest > 0 ? squares[v] / farthest + stillness : 1;
+        total += held[v] = parts.masses[v] / (moved * moved);
+      }
+      for (const auto v : vertices) held[v] /= total;
+      const AffineFit fit = fit_of(vertices, held, from, ways);
+      const Eigen::Vector3d slope = fit.inverse_spread * fit.to_fixed_point;
+      for (const auto v : vertices) held[v] *= 1 + slope.dot(eigen(from[v] - fit.center));
     }
-    for (const auto v : vertices) held[v] /= total;
-    const AffineFit fit = fit_of(vertices, held, from, ways);
-    const Eigen::Vector3d slope = fit.inverse_spread * fit.to_fixed_point;
-    for (const auto v : vertices) held[v] *= 1 + slope.dot(eigen(from[v] - fit.center));
-  }
+  });
   return held;
 }
 

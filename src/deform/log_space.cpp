@@ -17,19 +17,6 @@ namespace {
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 constexpr std::size_t places_per_block = 1024;
 
-// Returns for each vertex v the first vertex that has the position of v.
-std::vector<std::uint32_t> first_at_place(std::span<const mesh::Point> positions) {
-  mesh::PointIndex index;
-  std::vector<mesh::Point> places;
-  std::vector<std::uint32_t> first_of, place_of(positions.size());
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const std::uint32_t place = index.find_or_add(positions[v], places);
-    if (place == places.size()) places.push_back(positions[v]), first_of.push_back(v);
-    place_of[v] = first_of[place];
-  }
-  return place_of;
-}
-
 }  // namespace
 
 Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member, std::size_t i) {
@@ -178,12 +165,15 @@ private:
 LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* progress)
     : rest_(mesh.positions.begin(), mesh.positions.end()),
       part_count_(mesh.part_count),
-      places_(first_at_place(rest_)),
+      places_(mesh::lowest_in_place(rest_)),
       factors_(add_triangles(mesh), pool, told(progress, 0, 1)) {}
 
 // Fills the data of triangles. Returns the stiffness matrix of places_, with one fixed place per part.
 SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
-  index_of_.resize(mesh.triangles.size());
+  const std::size_t count = mesh.triangles.size();
+  index_of_.resize(count);
+  corners_.reserve(count), triangles_.reserve(count), part_of_.reserve(count);
+  placed_.reserve(count), cotangents_.reserve(count);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.degenerate[t]) continue;
     const auto& [a, b, c] = corners_.emplace_back(mesh.triangles[t]);
@@ -445,11 +435,11 @@ Held LogSpace::held_from(const LogVector& from, std::span<const LogTerm> terms) 
 }
 
 Held LogSpace::held_between(const LogVector& from, const LogVector& to) const {
-  std::vector<Vec3> ways;
-  std::vector<double> squares;
+  std::vector<Vec3> ways(rest_.size());
+  std::vector<double> squares(rest_.size());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    ways.push_back(to.ways[v] - from.ways[v]);
-    squares.push_back(squared_norm(ways[v]));
+    ways[v] = to.ways[v] - from.ways[v];
+    squares[v] = squared_norm(ways[v]);
   }
   return held_along(from, ways, squares);
 }

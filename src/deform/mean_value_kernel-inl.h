@@ -148,9 +148,9 @@ static HWY_INLINE hn::Mask<ViewTag> add_triangle(const MeanValueTriangle& t, std
     const ViewV share = hn::Mul(dot(c[i], m), hn::Mul(hn::Set(d, t.sign[i]), signed_inverse));
     hn::StoreU(hn::Add(hn::LoadU(d, w), share), d, w);
   }
-  const ViewV widest = hn::Max(hn::Mul(squared_sine[0], squared_sine[1]),
-                               hn::Mul(squared_sine[2], hn::Max(squared_sine[0], squared_sine[1])));
-  return hn::Not(hn::Gt(hn::Mul(volume, volume), hn::Mul(widest, hn::Set(d, in_plane * in_plane))));
+  const ViewV sines = hn::Max(hn::Mul(squared_sine[0], squared_sine[1]),
+                              hn::Mul(squared_sine[2], hn::Max(squared_sine[0], squared_sine[1])));
+  return hn::Not(hn::Gt(hn::Mul(volume, volume), hn::Mul(sines, hn::Set(d, in_plane * in_plane))));
 }
 
 static unsigned mean_value(const MeanValueJob& job, double* weights) {

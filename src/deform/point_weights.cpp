@@ -156,8 +156,10 @@ Vec3 mean_vector(const View& v) {
   return m;
 }
 
-// Returns the corner opposite to the edge with the largest sine, see View.
-int widest(const View& v) {
+// Returns the corner opposite to the edge with the largest sine, see View. This edge's ends are the best
+// basis of the plane. An edge that is seen at a wider angle, near 180 degrees, would give large rounding
+// errors.
+int largest_sine(const View& v) {
   const int i = v.sine[0] >= v.sine[1] ? 0 : 1;
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
@@ -165,7 +167,7 @@ int widest(const View& v) {
 // Returns the coefficients of m along u[0], u[1] and u[2]. If p and m are almost in the triangle's plane, the
 // three directions are nearly dependent. Then uses only the two ends of the edge with the largest sine.
 Vec3 along_corners(const View& v, const Vec3& m) {
-  const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
+  const int i = largest_sine(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};
   const Vec3 n = (1 / v.sine[i]) * v.c[i];
   const double volume = dot(v.u[0], v.c[0]);

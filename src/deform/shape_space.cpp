@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "deform/branches.h"
+#include "deform/cage_state.h"
 #include "deform/maps.h"
 #include "mesh/triangle.h"
 #include "sym3/eigenvalues.h"
@@ -108,8 +109,10 @@ std::optional<CoarseModel> ShapeSpace::coarse_of(const mesh::Surface& rest, base
                                                  base::Progress* progress) {
   if (!needs_coarse_model(rest)) return {};
   const base::ProgressPart part(progress, 0, coarse_part);
-  CoarseModel coarse(rest, pool, progress);
-  if (100 * std::max(coarse.gathered(), coarse.adopt_clusters()) > rest.positions.size()) return {};
+  const SurfaceProxy proxy(rest, pool, progress);
+  if (100 * proxy.gathered() > rest.positions.size()) return {};
+  CoarseModel coarse(proxy, rest.positions.size(), pool);
+  if (100 * coarse.adopt_clusters() > rest.positions.size()) return {};
   return coarse;
 }
 
@@ -119,8 +122,8 @@ ShapeSpace::ShapeSpace(const mesh::Surface& rest, std::optional<CoarseModel> coa
         const base::ProgressPart part(progress, needs_coarse_model(rest) ? coarse_part : 0, 1);
         const auto& solved = coarse_ ? coarse_->surface() : rest;
         const std::vector<std::uint32_t> parts(solved.triangles.size(), 0);
-        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1, couplings},
-                        pool, progress);
+        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1, couplings}, pool,
+                        progress);
       }()) {
   if (coarse_) rest_ = rest.positions;
 }
@@ -142,6 +145,7 @@ std::optional<ShapeSpace> ShapeSpace::joined(base::WorkerPool& pool) const {
 
 ShapeSpace::Triangles ShapeSpace::triangles_of(const mesh::Surface& rest) {
   Triangles all{rest.triangles, {}, {}, {}, {}};
+  all.bases.reserve(rest.triangles.size()), all.areas.reserve(rest.triangles.size());
   const auto& p = rest.positions;
   const double unit = mesh::used_bounds(rest).diagonal();
   for (const auto& t : rest.triangles) {
@@ -259,30 +263,32 @@ std::vector<RigidMotion> ShapeSpace::motions(std::span<const mesh::Point> posed,
   return motions;
 }
 
-// Calls use(vertex, position, rotation) for all vertices of the model: moved with the clusters.
+// Calls use(vertex, position, rotation) for vertices of the model: moved with the clusters.
 template <class Use>
-void ShapeSpace::move_with_clusters(std::span<const mesh::Point> posed, base::WorkerPool& pool,
+void ShapeSpace::move_with_clusters(std::span<const mesh::Point> posed,
+                                    std::span<const std::uint32_t> vertices, base::WorkerPool& pool,
                                     const Use& use) const {
   const std::vector<RigidMotion> of_clusters = motions(posed, pool);
-  pool.for_blocks(rest_.size(), vertices_at_once, [&](std::size_t begin, std::size_t end) {
+  pool.for_blocks(vertices.size(), vertices_at_once, [&](std::size_t begin, std::size_t end) {
     RigidMotion means[vertices_at_once];
     Mat rotations[vertices_at_once];
-    for (std::size_t v = begin; v < end; ++v) {
-      means[v - begin] = coarse_->blended(of_clusters, v);
-      rotations[v - begin] = means[v - begin].rotation;
+    for (std::size_t i = begin; i < end; ++i) {
+      means[i - begin] = coarse_->blended(of_clusters, vertices[i]);
+      rotations[i - begin] = means[i - begin].rotation;
     }
     const sym3::MatView<double> view(sym3::Layout::packed, rotations[0].data());
     sym3::polar(view, view, end - begin);
-    for (std::size_t v = begin; v < end; ++v) {
-      const auto& [mean, shift] = means[v - begin];
-      use(v, times(mean, rest_[v]) + shift, rotations[v - begin]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [mean, shift] = means[i - begin];
+      use(vertices[i], times(mean, rest_[vertices[i]]) + shift, rotations[i - begin]);
     }
   });
 }
 
 void ShapeSpace::follow(std::span<const LogTerm> terms, std::span<const mesh::Point> posed,
-                        base::WorkerPool& pool, std::span<mesh::Point> positions) const {
-  move_with_clusters(posed, pool, [&](std::size_t v, const Vec3& position, const Mat& rotation) {
+                        base::WorkerPool& pool, std::span<mesh::Point> positions,
+                        std::span<const std::uint32_t> vertices) const {
+  move_with_clusters(posed, vertices, pool, [&](std::size_t v, const Vec3& position, const Mat& rotation) {
     positions[v] = position + times(rotation, summed(terms, &LogVector::details, v));
   });
 }
@@ -292,7 +298,7 @@ void ShapeSpace::shape(std::span<const LogTerm> terms, const Held& held, base::W
   if (!coarse_) return logs_.shape(terms, held, pool, work, positions);
   std::vector<mesh::Point> posed(logs_.rest().size());
   logs_.shape(terms, held, pool, work, posed);
-  follow(terms, posed, pool, positions);
+  follow(terms, posed, pool, positions, first_numbers(rest_.size()));
 }
 
 void ShapeSpace::linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
@@ -308,10 +314,11 @@ LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::Worke
   const std::vector<Vec3> means = coarse_->means(positions, pool);
   LogVector vector = solved_vector(means, pool, before, report);
   vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
-  move_with_clusters(means, pool, [&](std::size_t v, const Vec3& position, const Mat& rotation) {
-    vector.fine_ways[v] = positions[v] - rest_[v];
-    vector.details[v] = times(transposed(rotation), positions[v] - position);
-  });
+  move_with_clusters(means, first_numbers(rest_.size()), pool,
+                     [&](std::size_t v, const Vec3& position, const Mat& rotation) {
+                       vector.fine_ways[v] = positions[v] - rest_[v];
+                       vector.details[v] = times(transposed(rotation), positions[v] - position);
+                     });
   return vector;
 }
 
@@ -322,6 +329,7 @@ LogVector ShapeSpace::solved_vector(std::span<const mesh::Point> positions, base
   std::vector<MapSplit> splits = split(positions, pool, sum);
   std::vector<std::uint8_t> collapsed = raise(positions, splits);
   std::vector<Mat> rotations;
+  rotations.reserve(splits.size()), vector.logs.reserve(splits.size());
   for (const MapSplit& s : splits) rotations.push_back(s.rotation);
   Folds folds(triangles_.neighbours, rotations, std::move(collapsed));
   vector.wholes = {nearest_branch(mean_turn(sum), before ? before->wholes[0] : Vec3{0, 0, 0})};

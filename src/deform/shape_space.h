@@ -65,10 +65,10 @@ public:
 
   /// The coarse model, or null if the log space is that of the model.
   const CoarseModel* coarse() const { return coarse_ ? &*coarse_ : nullptr; }
-  /// Moves the model's vertices with the clusters at `posed`, and adds the sum of the details of `terms`.
+  /// Moves `vertices` of the model with the clusters at `posed`, and adds the sum of the details of `terms`.
   /// Requires a coarse model.
   void follow(std::span<const LogTerm> terms, std::span<const mesh::Point> posed, base::WorkerPool& pool,
-              std::span<mesh::Point> positions) const;
+              std::span<mesh::Point> positions, std::span<const std::uint32_t> vertices) const;
 
 private:
   /// Data of the rest mesh for maps and branches.
@@ -98,7 +98,8 @@ private:
                           const LogVector* before, ShapeReport* report) const;
   std::vector<RigidMotion> motions(std::span<const mesh::Point> posed, base::WorkerPool& pool) const;
   template <class Use>
-  void move_with_clusters(std::span<const mesh::Point> posed, base::WorkerPool& pool, const Use& use) const;
+  void move_with_clusters(std::span<const mesh::Point> posed, std::span<const std::uint32_t> vertices,
+                          base::WorkerPool& pool, const Use& use) const;
 
   std::vector<mesh::Point> rest_;      // of the model, if it has a coarse model
   std::optional<CoarseModel> coarse_;  // the other members are of this model

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "deform/cage_state.h"
@@ -66,7 +67,8 @@ Cells cells_of(const mesh::Surface& model, std::span<const std::uint32_t> vertic
   Cells cells{box.diagonal() / 128, 0, {}};
   const auto divide = [&](double by) {
     cells.size /= by;
-    occupied = keys = keys_of(model, vertices, box.low, cells.size);
+    keys = keys_of(model, vertices, box.low, cells.size), occupied.clear();
+    std::ranges::unique_copy(keys, std::back_inserter(occupied));  // files often list near vertices in a row
     std::ranges::sort(occupied);
     occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
   };

@@ -1,6 +1,5 @@
 #include "deform/surface_proxy.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -378,9 +377,7 @@ void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
 // Assigns vertices without a triangle to the nearest cluster.
 void SurfaceProxy::adopt_loose_vertices() {
   if (std::ranges::find(of_vertex_, none) == of_vertex_.end()) return;
-  std::vector<std::uint32_t> all(surface_.positions.size());
-  std::iota(all.begin(), all.end(), 0u);
-  const mesh::PointTree tree(surface_.positions, std::move(all));
+  const mesh::PointTree tree(surface_.positions, first_numbers(surface_.positions.size()));
   for (std::size_t v = 0; v < of_vertex_.size(); ++v)
     if (of_vertex_[v] == none) of_vertex_[v] = tree.nearest(model_.positions[v]);
 }
@@ -405,33 +402,40 @@ void add_powers(const std::array<double, 2>& place, double factor, Powers& sums)
   for (std::size_t k = 0; k < powers.size(); ++k) sums[k] += powers[k];
 }
 
-// Solves the normal equations of the fit, by L D L^T. The value of the fitted polynomial at the vertex is the
-// sum of factor * value * (result[0] + result[1] * x + result[2] * y + result[3] * x^2 + ...) over the
-// clusters.
+// Returns the first column of the inverse of a positive definite matrix, by L D L^T. Replaces the matrix, of
+// which only the lower triangle is read, by the factors.
+template <std::size_t n>
+std::array<double, n> first_of_inverse(double (&l)[n][n]) {
+  double inverse[n];
+  for (std::size_t k = 0; k < n; ++k) {
+    inverse[k] = 1 / l[k][k];
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double factor = l[i][k] * inverse[k];
+      for (std::size_t j = k + 1; j <= i; ++j) l[i][j] -= factor * l[j][k];
+    }
+    for (std::size_t i = k + 1; i < n; ++i) l[i][k] *= inverse[k];
+  }
+  std::array<double, n> result{1};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j) result[i] -= l[i][j] * result[j];
+  for (std::size_t i = 0; i < n; ++i) result[i] *= inverse[i];
+  for (std::size_t i = n; i-- > 0;)
+    for (std::size_t j = i + 1; j < n; ++j) result[i] -= l[j][i] * result[j];
+  return result;
+}
+
+// Solves the normal equations of the fit. The value of the fitted polynomial at the vertex is the sum of
+// factor * value * (result[0] + result[1] * x + result[2] * y + result[3] * x^2 + ...) over the clusters.
 std::array<double, 6> fitted_value(const Powers& sums) {
   constexpr std::size_t x[] = {0, 1, 0, 2, 1, 0}, y[] = {0, 0, 1, 0, 1, 2};
-  double l[6][6], inverse[6];
+  double l[6][6];
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j <= i; ++j) l[i][j] = sums[place_of(x[i] + x[j], y[i] + y[j])];
   const double weight = l[0][0];
   for (std::size_t k = 1; k < 3; ++k) l[k][k] += ridge_linear * weight;
   for (const std::size_t k : {3, 5}) l[k][k] += ridge_quadratic * weight;
   l[4][4] += 0.5 * ridge_quadratic * weight;  // x * y: the result does not depend on the axes
-  for (std::size_t k = 0; k < 6; ++k) {
-    inverse[k] = 1 / l[k][k];
-    for (std::size_t i = k + 1; i < 6; ++i) {
-      const double factor = l[i][k] * inverse[k];
-      for (std::size_t j = k + 1; j <= i; ++j) l[i][j] -= factor * l[j][k];
-    }
-    for (std::size_t i = k + 1; i < 6; ++i) l[i][k] *= inverse[k];
-  }
-  std::array<double, 6> result{1, 0, 0, 0, 0, 0};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < i; ++j) result[i] -= l[i][j] * result[j];
-  for (std::size_t i = 0; i < 6; ++i) result[i] *= inverse[i];
-  for (std::size_t i = 6; i-- > 0;)
-    for (std::size_t j = i + 1; j < 6; ++j) result[i] -= l[j][i] * result[j];
-  return result;
+  return first_of_inverse(l);
 }
 
 }  // namespace
@@ -483,15 +487,18 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
 
 // Multiplies the factors by those of the value at p of a linear polynomial that is fitted to the clusters.
 void SurfaceProxy::fit_in_space(const mesh::Point& p, double radius, std::vector<Term>& terms) const {
-  const auto row = [&](const Term& term) {
-    const Vec3 d = (1 / radius) * (surface_.positions[term.cluster] - p);
-    return Eigen::Vector4d(1, d[0], d[1], d[2]);
-  };
-  Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
-  for (const Term& term : terms) sums += term.factor * row(term) * row(term).transpose();
-  sums.diagonal().tail<3>().array() += ridge_linear * sums(0, 0);
-  const Eigen::Vector4d fit = sums.ldlt().solve(Eigen::Vector4d::Unit(0));
-  for (Term& term : terms) term.factor *= fit.dot(row(term));
+  const double scale = 1 / radius;
+  double l[4][4] = {};
+  for (const auto& [cluster, factor] : terms) {
+    const Vec3 d = scale * (surface_.positions[cluster] - p);
+    const double row[] = {1, d[0], d[1], d[2]};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j <= i; ++j) l[i][j] += factor * row[i] * row[j];
+  }
+  for (std::size_t k = 1; k < 4; ++k) l[k][k] += ridge_linear * l[0][0];
+  const auto fit = first_of_inverse(l);
+  for (auto& [cluster, factor] : terms)
+    factor *= fit[0] + scale * dot({fit[1], fit[2], fit[3]}, surface_.positions[cluster] - p);
 }
 
 ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,

@@ -40,6 +40,9 @@ public:
   /// base::Error if the model has no triangles with an area. Throws base::Cancelled.
   SurfaceProxy(const mesh::Surface& model, const Cage* cage, Elements elements, std::size_t target,
                base::WorkerPool& pool, base::Progress* progress = nullptr);
+  /// Makes the usual number of clusters, without a cage.
+  SurfaceProxy(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress)
+      : SurfaceProxy(model, nullptr, Elements::face, proxy_vertices, pool, progress) {}
 
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }

@@ -124,9 +124,12 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
   const mesh::TriangleTree nearest_handle(x, weighing);
   std::vector<std::vector<std::uint32_t>> members(bodies.shares.size());
   std::vector<std::vector<std::vector<OwnedVertices::Owned>>> found(members.size());
-  for (const auto v : used_vertices(model)) members[bodies.of_vertex[v]].push_back(v);
+  for (const auto v : used_vertices(model)) {
+    const auto body = bodies.of_vertex[v];
+    if (bodies.shares[body] * static_cast<double>(k) >= least_body) members[body].push_back(v);
+  }
   pool.for_blocks(members.size(), 1, [&](std::size_t body, std::size_t) {
-    if (members[body].empty() || bodies.shares[body] * static_cast<double>(k) < least_body) return;
+    if (members[body].empty()) return;
     const mesh::PointTree tree(model.positions, members[body]);
     for (std::size_t h = 0; h < k; ++h) {
       auto& near = found[body].emplace_back(nearest_to_handle(model, tree, cage, elements, h));
@@ -137,12 +140,10 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
       });
     }
   });
-  for (std::size_t h = 0; h < k; ++h) {
-    const auto first = owned.of_handle[h];
-    for (const auto& of_body : found) {
-      if (of_body.empty()) continue;
+  for (const auto& of_body : found) {
+    for (std::size_t h = 0; h < of_body.size(); ++h) {
       for (const auto& one : of_body[h]) {
-        if (std::ranges::count(first, one.vertex, &OwnedVertices::Owned::vertex)) continue;
+        if (std::ranges::count(owned.of_handle[h], one.vertex, &OwnedVertices::Owned::vertex)) continue;
         owned.of_handle[h].push_back(one);
         owned.owners[one.vertex] += one.part;
       }

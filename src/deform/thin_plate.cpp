@@ -1,7 +1,9 @@
 #include "deform/thin_plate.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -13,6 +15,9 @@ namespace viete::deform {
 namespace {
 
 constexpr double factored = 0.4;  // fraction of the time that factoring takes
+// Conditions for factoring the whole matrix of the problem, see ThinPlate.
+constexpr std::size_t most_vertices_per_spring = 32, most_entries_per_vertex = 100;
+constexpr double least_precision = 1e-11;  // rounding error of an entry, relative to the weakest spring
 
 using Columns = std::array<double, solved_columns>;
 
@@ -30,6 +35,33 @@ std::vector<double> masses_of_parts(const HeldParts& parts, const std::vector<do
     if (parts.holds(v)) sums[parts.of_vertex[v]] += masses[v];
   }
   return sums;
+}
+
+// Returns the lower triangle of L * M^-1 * L + S, with 1 in the diagonal for parts without springs. Returns
+// nothing if few vertices have springs, or if the matrix has many entries or large rounding errors.
+std::optional<SparseMatrix> whole_matrix(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
+                                         const std::vector<bool>& has_spring,
+                                         const std::vector<double>& springs) {
+  const std::size_t n = has_spring.size();
+  if (most_vertices_per_spring * static_cast<std::size_t>(std::ranges::count(has_spring, true)) <= n)
+    return {};
+  std::vector<MatrixEntry> entries;
+  double largest = 0, weakest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t v = 0; v < n && entries.size() <= most_entries_per_vertex * n; ++v) {
+    if (has_spring[v]) weakest = std::min(weakest, springs[v]);
+    entries.push_back({v, v, has_spring[v] ? springs[v] : parts.holds(v) ? 0.0 : 1.0});
+    for_column(laplacian.stiffness, v, [&](std::uint32_t column, double value) {
+      if (value == 0) return;
+      const double share = value / laplacian.masses[v];
+      largest = std::max(largest, share * value);
+      for_column(laplacian.stiffness, v, [&](std::uint32_t row, double other) {
+        if (row >= column) entries.push_back({row, column, share * other});
+      });
+    });
+  }
+  const bool precise = std::numeric_limits<double>::epsilon() * largest < least_precision * weakest;
+  if (!precise || entries.size() > most_entries_per_vertex * n) return {};
+  return sparse_matrix(n, entries);
 }
 
 }  // namespace
@@ -57,7 +89,13 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
       part_masses_(masses_of_parts(parts, masses_)),
       strengths_(std::move(springs)),
       loads_(std::move(loads)),
-      solver_(grounded(laplacian.stiffness, free_vertices(parts)), pool, told(progress, 0, factored)) {
+      solver_([&] {
+        const auto whole = whole_matrix(laplacian, parts, has_spring, strengths_);
+        whole_ = whole.has_value();
+        return BlockSolver(whole ? *whole : grounded(laplacian.stiffness, free_vertices(parts)), pool,
+                           told(progress, 0, factored));
+      }()) {
+  if (whole_) return;
   for (std::uint32_t v = 0; v < has_spring.size(); ++v) {
     if (has_spring[v] && parts_.grounds[parts_.of_vertex[v]] != v) springs_.push_back(v);
   }
@@ -146,6 +184,11 @@ void ThinPlate::find_forces(std::vector<double> stiffness) {
 }
 
 void ThinPlate::solve(std::size_t begin, std::size_t end, std::span<double> block) const {
+  if (whole_) {
+    for (std::size_t l = begin; l < end; ++l)
+      for (const auto& [v, value] : loads_[l]) block[solver_.place(v) + l - begin] = strengths_[v] * value;
+    return solver_.solve(block, sparse_kernel(sym3::kernel()));
+  }
   std::vector<Columns> at_ground(parts_.grounds.size(), Columns{});
   for (std::size_t l = begin; l < end; ++l) {
     for (std::size_t i = 0; i < springs_.size(); ++i) {

@@ -40,7 +40,10 @@ HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has
 ///
 /// K_uv: w'_u for a force 1 at v and a force -1 at the ground. S: the diagonal matrix of the strengths s.
 /// D_uv: 1 / s_ground if u and v are in the same part, otherwise 0. The matrix is symmetric and positive
-/// definite. At the ground, the force is minus the sum of phi over the part. Thread-safe.
+/// definite. At the ground, the force is minus the sum of phi over the part.
+///
+/// K is dense: if many vertices have springs, factors the matrix L * M^-1 * L + S instead, unless masses near
+/// 0 make it imprecise. Thread-safe.
 class ThinPlate {
 public:
   struct Target {
@@ -56,6 +59,7 @@ public:
             base::Progress* progress = nullptr);
 
   const BlockSolver& solver() const { return solver_; }
+  bool factors_whole() const { return whole_; }  ///< true if solver() has L * M^-1 * L + S instead of L
   /// Writes the w of the loads [begin, end) to `block`. Vertices of parts without springs get 0. `block`
   /// must contain 0 before the call, and end - begin must be at most solved_columns.
   void solve(std::size_t begin, std::size_t end, std::span<double> block) const;
@@ -73,6 +77,7 @@ private:
   std::vector<double> part_masses_;
   std::vector<double> strengths_;  // s of each vertex
   std::vector<Load> loads_;
+  bool whole_ = false;
   BlockSolver solver_;
   std::vector<std::uint32_t> springs_;  // vertices with springs, without the grounds
   BlockSolver::Part with_springs_;

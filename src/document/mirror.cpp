@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "mesh/normals.h"
 #include "mesh/point_tree.h"
 
 namespace viete::document {
@@ -54,9 +54,7 @@ std::size_t Mirror::unpaired() const {
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice) {
   const std::vector<cages::Plane> planes = candidates(cage, choice);
   if (planes.empty()) return std::nullopt;
-  std::vector<std::uint32_t> all(cage.surface.positions.size());
-  std::iota(all.begin(), all.end(), 0u);
-  const mesh::PointTree tree(cage.surface.positions, std::move(all));
+  const mesh::PointTree tree(cage.surface.positions, mesh::every_vertex(cage.surface));
   Mirror best = paired(cage, tree, planes.front());
   for (std::size_t i = 1; i < planes.size() && best.unpaired() > 0; ++i) {
     Mirror other = paired(cage, tree, planes[i]);

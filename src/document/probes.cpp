@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "document/pose_edit.h"
 #include "document/record.h"
+#include "mesh/normals.h"
 #include "mesh/point_tree.h"
 
 namespace viete::document {
@@ -141,9 +141,7 @@ void rest_probes(Document& document) {
 int symmetry_axis(const Document& document) {
   constexpr std::size_t samples = 256;
   const auto& points = document.model().surface->positions;
-  std::vector<std::uint32_t> all(points.size());
-  std::iota(all.begin(), all.end(), 0u);
-  const mesh::PointTree tree(points, std::move(all));
+  const mesh::PointTree tree(points, mesh::every_vertex(*document.model().surface));
   const mesh::Point middle = document.model().bounds.center();
   std::array<double, 3> off{};
   for (std::size_t n = 0; n < samples; ++n) {

@@ -1,7 +1,6 @@
 #include "files/shape_import.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -10,6 +9,7 @@
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
 #include "formats/read.h"
+#include "mesh/normals.h"
 #include "mesh/point_tree.h"
 #include "mesh/vertex_order.h"
 
@@ -114,8 +114,7 @@ namespace {
 // For each vertex of the surface, returns its index in the file. If faces differ, compares positions.
 std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
                                           const PosedSurface& of) {
-  std::vector<std::uint32_t> all(found.positions.size());
-  std::iota(all.begin(), all.end(), 0U);
+  const std::vector<std::uint32_t> all = mesh::every_vertex(found);
   if (mesh::same_faces(found, of.surface)) return all;
   const mesh::PointTree tree(found.positions, all);
   std::vector<bool> taken(all.size());

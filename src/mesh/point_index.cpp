@@ -27,7 +27,7 @@ std::size_t PointIndex::slot_of(const Point& p, const std::vector<Point>& positi
 }
 
 void PointIndex::grow(const std::vector<Point>& positions) {
-  slots_.assign(slots_.empty() ? 1024 : 2 * slots_.size(), 0);
+  slots_.assign(2 * slots_.size(), 0);
   for (std::size_t v = 0; v < used_; ++v)
     slots_[slot_of(positions[v], positions)] = static_cast<std::uint32_t>(v + 1);
 }
@@ -43,7 +43,7 @@ std::uint32_t PointIndex::find_or_add(const Point& p, const std::vector<Point>& 
 std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions) {
   std::vector<std::uint32_t> lowest(positions.size()), first;
   std::vector<Point> distinct;
-  PointIndex index;
+  PointIndex index(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     Point p = positions[v];
     for (double& x : p) x += 0.0;  // -0 becomes 0

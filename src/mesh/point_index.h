@@ -1,6 +1,8 @@
 // Finds equal points by a hash table.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +14,8 @@ namespace viete::mesh {
 /// A hash table of points. The caller owns the array of the points.
 class PointIndex {
 public:
+  /// The table does not grow up to `expected` points.
+  explicit PointIndex(std::size_t expected = 511) : slots_(std::bit_ceil(2 * expected + 2), 0) {}
   /// Returns the index of p in `positions`. If p is new, returns positions.size(), and the caller must append
   /// p to the array. A coordinate -0 is usually not found as 0, because their bits differ.
   std::uint32_t find_or_add(const Point& p, const std::vector<Point>& positions);

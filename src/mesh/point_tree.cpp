@@ -55,29 +55,30 @@ struct PointTree::Search {
   }
 };
 
-PointTree::PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some)
-    : positions_(positions), points_(std::move(some)) {
+PointTree::PointTree(std::span<const Point> positions, const std::vector<std::uint32_t>& some) {
+  points_.reserve(some.size());
+  for (const auto i : some) points_.push_back({positions[i], i});
   build(0, 0, points_.size());
 }
 
 void PointTree::build(std::size_t node, std::size_t begin, std::size_t end) {
   const auto run = std::span(points_).subspan(begin, end - begin);
-  const Bounds box = bounds(positions_, run);
+  Bounds box{run[0].position, run[0].position};
+  for (const Placed& p : run) extend(box, p.position);
   if (balls_.size() <= node) balls_.resize(node + 1);
   balls_[node] = {box.center(), 0.5 * box.diagonal()};
   if (run.size() <= points_per_leaf) return;
   const std::size_t middle = middle_of(begin, end);
   const int side = longest_side(box);
-  std::nth_element(
-      run.begin(), run.begin() + static_cast<std::ptrdiff_t>(middle - begin), run.end(),
-      [&](std::uint32_t i, std::uint32_t j) { return positions_[i][side] < positions_[j][side]; });
+  std::nth_element(run.begin(), run.begin() + static_cast<std::ptrdiff_t>(middle - begin), run.end(),
+                   [&](const Placed& p, const Placed& q) { return p.position[side] < q.position[side]; });
   build(2 * node + 1, begin, middle);
   build(2 * node + 2, middle, end);
 }
 
 void PointTree::search(std::size_t node, std::size_t begin, std::size_t end, Search& s) const {
   if (end - begin <= points_per_leaf) {
-    for (std::size_t n = begin; n < end; ++n) s.visit(points_[n], positions_[points_[n]]);
+    for (std::size_t n = begin; n < end; ++n) s.visit(points_[n].index, points_[n].position);
     return;
   }
   const std::size_t middle = middle_of(begin, end), left = 2 * node + 1, right = left + 1;
@@ -120,7 +121,7 @@ void PointTree::for_within(const Point& p, double radius,
       return;
     }
     for (std::size_t n = begin; n < end; ++n) {
-      if (squared_norm(positions_[points_[n]] - p) <= radius * radius) visit(points_[n]);
+      if (squared_norm(points_[n].position - p) <= radius * radius) visit(points_[n].index);
     }
   };
   go(go, 0, 0, points_.size());

@@ -10,11 +10,11 @@
 
 namespace viete::mesh {
 
-/// A kd tree of points. The positions must outlive the tree. Thread-safe.
+/// A kd tree of points. Thread-safe.
 class PointTree {
 public:
   /// Makes a tree of the points with the indices `some`. `some` must not be empty.
-  PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
+  PointTree(std::span<const Point> positions, const std::vector<std::uint32_t>& some);
 
   /// Returns the index of the point nearest to the triangle. If several points are equally near, returns the
   /// lowest index. For an edge, pass two equal corners. For a point, pass three equal corners.
@@ -31,12 +31,15 @@ private:
     Point center;
     double radius;
   };
+  struct Placed {
+    Point position;
+    std::uint32_t index;
+  };
   struct Search;
   void build(std::size_t node, std::size_t begin, std::size_t end);
   void search(std::size_t node, std::size_t begin, std::size_t end, Search& search) const;
 
-  std::span<const Point> positions_;
-  std::vector<std::uint32_t> points_;
+  std::vector<Placed> points_;
   std::vector<Ball> balls_;  // node i has the children 2 * i + 1 and 2 * i + 2
 };
 

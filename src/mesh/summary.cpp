@@ -13,12 +13,12 @@ namespace viete::mesh {
 
 namespace {
 
-// For each vertex a, lists vertices b > a. If `upwards`, lists b once for each polygon side from a to b.
-// Otherwise, lists b once for each polygon side from b to a.
-Adjacency sides(const Surface& surface, bool upwards) {
+// For each vertex a, lists the polygon sides between a and vertices b > a: 2 * b + 1 for a side from a to b,
+// 2 * b for a side from b to a.
+Adjacency sides(const Surface& surface) {
   const auto add_sides = [&](std::uint32_t p, const auto& add) {
     for_polygon_sides(surface, p, [&](std::uint32_t from, std::uint32_t to) {
-      if ((from < to) == upwards) add(std::min(from, to), std::max(from, to));
+      add(std::min(from, to), 2 * std::max(from, to) + (from < to));
     });
   };
   return sorted_adjacency(surface.positions.size(), surface.polygon_count(), add_sides);
@@ -36,19 +36,17 @@ Summary joined(Summary a, const Summary& b) {
 }
 
 Summary edges_of(const Surface& surface) {
-  const Adjacency upwards = sides(surface, true), downwards = sides(surface, false);
+  const Adjacency all = sides(surface);
   const auto edges = [&](std::size_t begin, std::size_t end) {
     Summary summary;
     for (auto low = static_cast<std::uint32_t>(begin); low < end; ++low) {
-      const auto up = upwards.of(low), down = downwards.of(low);
-      for (std::size_t i = 0, j = 0; i < up.size() || j < down.size(); ++summary.edges) {
-        const std::uint32_t high = std::min(i < up.size() ? up[i] : none, j < down.size() ? down[j] : none);
-        const std::size_t first = i, second = j;
-        while (i < up.size() && up[i] == high) ++i;
-        while (j < down.size() && down[j] == high) ++j;
-        const std::size_t count = i - first + (j - second);
+      const auto around = all.of(low);
+      for (std::size_t i = 0; i < around.size(); ++summary.edges) {
+        const std::uint32_t high = around[i] / 2;
+        std::size_t count = 0, upwards = 0;
+        for (; i < around.size() && around[i] / 2 == high; ++i) ++count, upwards += around[i] % 2;
         if (count == 1) summary.boundary_edges.push_back({low, high});
-        if (count == 2 && i - first != 1) summary.misoriented_edges.push_back({low, high});
+        if (count == 2 && upwards != 1) summary.misoriented_edges.push_back({low, high});
         if (count > 2) summary.nonmanifold_edges.push_back({low, high});
       }
     }

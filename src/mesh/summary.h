@@ -29,7 +29,7 @@ struct Summary {
   bool inside_out() const { return closed() && manifold() && oriented() && volume < 0; }
 };
 
-/// Lists are sorted. Linear time. Lengths must be from 1e-100 to 1e100.
+/// Lists are sorted. Linear time. Lengths must be from 1e-100 to 1e100. At most 2^31 vertices.
 Summary summarize(const Surface& surface);
 
 /// The topology of a manifold.

@@ -202,6 +202,9 @@ TEST_CASE("pins_of_a_large_model_reach_their_targets_near_a_blend_of_examples") 
   targets[0] = targets[0] + Vec3{0.03, 0.02, 0};
   const Points posed = p.solved(targets, {});
   for (const auto v : p.pinned) CHECK(norm(posed[v] - targets[v]) < 1e-12);
+  Posing steps(model, {bend}, p.pinned), solved(model, {bend}, p.pinned);
+  for (int step = 0; step < 3; ++step) steps.posing->step(p.at_pins(targets), {});
+  CHECK(std::ranges::equal(steps.posing->positions(), solved.solved(targets, {}, 3)));
   const std::size_t all[] = {0, 1, 2, 3, 4, 5};
   for (const double share : p.posing->reach(all)) CHECK(share == doctest::Approx(1).epsilon(1e-5));
 }

@@ -18,6 +18,23 @@ Eigen::MatrixXd dense(const SparseMatrix& m) {
   return full;
 }
 
+// Returns the largest difference of the plate's shapes from expected_shapes().
+double worst_difference(const ThinPlate& plate, const Eigen::MatrixXd& expected) {
+  const auto n = std::size_t(expected.rows()), loads = std::size_t(expected.cols());
+  double worst = 0;
+  for (std::size_t begin = 0; begin < loads; begin += solved_columns) {
+    const std::size_t end = std::min(begin + solved_columns, loads);
+    base::AlignedVector<double> block(n * solved_columns, 0.0);
+    plate.solve(begin, end, block);
+    for (std::size_t v = 0; v < n; ++v) {
+      for (std::size_t k = begin; k < end; ++k)
+        worst = std::max(worst, std::abs(block[plate.solver().place(v) + k - begin] -
+                                         expected(Eigen::Index(v), Eigen::Index(k))));
+    }
+  }
+  return worst;
+}
+
 // Computes the minimum with one dense system. Includes only the vertices of parts with springs.
 Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
                                 const std::vector<bool>& has_spring, const std::vector<double>& strengths,
@@ -79,17 +96,25 @@ TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
     for (std::size_t v = 0; v < n; ++v) strengths.push_back(spring / static_cast<double>(1 + v % 3));
     const ThinPlate plate(laplacian, parts, has_spring, strengths, loads, pool);
     const auto expected = expected_shapes(laplacian, parts, has_spring, strengths, loads);
-    double worst = 0;
-    for (std::size_t begin = 0; begin < loads.size(); begin += solved_columns) {
-      const std::size_t end = std::min(begin + solved_columns, loads.size());
-      base::AlignedVector<double> block(n * solved_columns, 0.0);
-      plate.solve(begin, end, block);
-      for (std::size_t v = 0; v < n; ++v) {
-        for (std::size_t k = begin; k < end; ++k)
-          worst = std::max(worst, std::abs(block[plate.solver().place(v) + k - begin] -
-                                           expected(Eigen::Index(v), Eigen::Index(k))));
-      }
-    }
-    CHECK(worst < 1e-10);
+    CHECK(plate.factors_whole() == (spring > 1));
+    CHECK(worst_difference(plate, expected) < 1e-10);
+  }
+}
+
+TEST_CASE("plates_with_few_springs_or_masses_near_0_factor_only_the_laplacian") {
+  base::WorkerPool pool(2);
+  for (const double width : {1.0, 1e-7}) {
+    const auto model = tube(32, 9, 0.5, 2);
+    auto laplacian = intrinsic_laplacian(model);
+    const std::size_t n = model.positions.size();
+    laplacian.masses[7] *= width;
+    std::vector<bool> has_spring(n, width < 1);
+    std::vector<ThinPlate::Load> loads;
+    for (const std::uint32_t v : {3u, 77u, 200u, 280u}) has_spring[v] = true, loads.push_back({{v, 1}});
+    const auto parts = held_parts(laplacian.stiffness, has_spring);
+    const std::vector<double> strengths(n, 10);
+    const ThinPlate plate(laplacian, parts, has_spring, strengths, loads, pool);
+    CHECK_FALSE(plate.factors_whole());
+    CHECK(worst_difference(plate, expected_shapes(laplacian, parts, has_spring, strengths, loads)) < 1e-6);
   }
 }
