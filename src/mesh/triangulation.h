@@ -24,4 +24,22 @@ std::vector<Triangle> triangulation(std::span<const Point> corners);
 /// Triangulates all polygons at their current positions. Sets `triangles`, `triangle_polygon` and `clipped`.
 void triangulate(Surface& surface);
 
+/// A surface with other triangles, so that no diagonal and no first corner matters. A polygon of four or more
+/// corners has one triangle per side, to its center, which is the mean of its corners. A concave polygon that
+/// does not surround its center has the triangles of triangulation() from its lowest vertex.
+struct CenterSplit {
+  Surface
+      surface;  ///< `positions` are those of the original, then the centers; the polygons are the original's
+  std::vector<std::uint32_t> polygons;  ///< the polygon of each center
+};
+
+/// Polygons with a mark in `skipped`, which may be empty, have no triangles. Polygons with more than `most`
+/// corners have no center.
+CenterSplit split_at_centers(const Surface& surface, std::span<const std::uint8_t> skipped = {},
+                             std::size_t most = none);
+
+/// Returns positions for the vertices of a CenterSplit, from positions of the vertices of `surface`.
+std::vector<Point> with_centers(const Surface& surface, std::span<const std::uint32_t> polygons,
+                                std::span<const Point> positions);
+
 }  // namespace viete::mesh
