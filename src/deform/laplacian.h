@@ -30,6 +30,14 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
 /// triangles). Triangles that repeat a corner are ignored. Works for nonmanifold meshes. Thread-safe.
 SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                               std::span<const mesh::Triangle> triangles);
+/// Adds the entries of the energy weight * (f_i - f_j)^2.
+void add_weight(std::uint32_t i, std::uint32_t j, double weight, std::vector<MatrixEntry>& entries);
+std::vector<MatrixEntry> stiffness_entries(std::span<const mesh::Point> positions,
+                                           std::span<const mesh::Triangle> triangles);
+
+/// Polygons with more corners are not split at their centers in models, because each center joins all corners
+/// of its polygon in a matrix.
+inline constexpr std::size_t most_split_corners = 32;
 
 struct IntrinsicLaplacian {
   /// Has the properties of stiffness_matrix(). In addition, no entry off the diagonal is positive.
@@ -44,6 +52,10 @@ struct IntrinsicLaplacian {
 /// - Doubles a surface with a boundary, nonmanifold edges or inconsistent orientation (front and back).
 /// - Flips edges within the surface until no weight is negative.
 /// Unlike the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
+///
+/// Returns the mean over triangulations from all corners of the polygons, so that first corners have no
+/// effect and mirrored models have mirrored results. Exceptions are bent polygons with more than four corners
+/// in large models, and flips of edges between bent polygons.
 ///
 /// Omits weights below 1e-10 and ignores triangles that repeat a corner. Works at any length scale, in nearly
 /// linear time. Parts connected by triangles are connected by weights. Thread-safe.

@@ -17,19 +17,6 @@ namespace {
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 constexpr std::size_t places_per_block = 1024;
 
-// Returns for each vertex v the first vertex that has the position of v.
-std::vector<std::uint32_t> first_at_place(std::span<const mesh::Point> positions) {
-  mesh::PointIndex index;
-  std::vector<mesh::Point> places;
-  std::vector<std::uint32_t> first_of, place_of(positions.size());
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const std::uint32_t place = index.find_or_add(positions[v], places);
-    if (place == places.size()) places.push_back(positions[v]), first_of.push_back(v);
-    place_of[v] = first_of[place];
-  }
-  return place_of;
-}
-
 }  // namespace
 
 Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member, std::size_t i) {
@@ -178,7 +165,7 @@ private:
 LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* progress)
     : rest_(mesh.positions.begin(), mesh.positions.end()),
       part_count_(mesh.part_count),
-      places_(first_at_place(rest_)),
+      places_(mesh::lowest_in_place(rest_)),
       factors_(add_triangles(mesh), pool, told(progress, 0, 1)) {}
 
 // Fills the data of triangles. Returns the stiffness matrix of places_, with one fixed place per part.

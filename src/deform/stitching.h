@@ -34,6 +34,9 @@ inline constexpr double pin_strength = 0.03;
 /// is stored as triangle (a, b, b). Parts without a pin have a hold with weight 1e-4 at each vertex. A vertex
 /// with only thin triangles (see half_cotangents()), or without triangles, has a hold with weight 1.
 ///
+/// A polygon with a center, see mesh::split_unsettled(), has one map: that of the mean of its corners' sums.
+/// Its energy is that of its triangles, with the center at the mean of the corners.
+///
 /// If needs_coarse_model(), the coarse model is stitched. Its displacements from the means of the blended
 /// positions are interpolated.
 ///
@@ -47,15 +50,25 @@ struct Stitching {
     std::uint32_t vertex;
     double weight;
   };
+  /// A polygon with a center: a fan of triangles around its first corner, which share the map of the first.
+  struct Polygon {
+    std::uint32_t triangle, others;  ///< the first triangle, and the first of the `corners - 3` others
+  };
 
   Holding holding;
-  std::vector<std::uint32_t> order;       ///< all vertices, ordered for locality
-  std::vector<mesh::Triangle> triangles;  ///< all proper triangles, in the order of vertices; then couplings
-  /// For each triangle, the index of the triangle that provides the fitted rotation: the triangle itself or,
-  /// for a coupling, a neighbouring triangle, because a line does not determine a rotation.
+  std::vector<std::uint32_t> order;  ///< all vertices, ordered for locality
+  /// All proper triangles, and the first triangles of polygons, in the order of vertices; then couplings;
+  /// then the other triangles of polygons.
+  std::vector<mesh::Triangle> triangles;
+  /// For each map, the index of the triangle that provides the fitted rotation: the triangle itself or, for a
+  /// coupling, a neighbouring triangle, because a line does not determine a rotation.
   std::vector<std::uint32_t> rotated_as;
-  /// Half cotangents of the corners, from which K is computed; (0, 0, c) for a coupling.
+  /// Half cotangents of the corners, from which K is computed; (0, 0, c) for a coupling, and 0 for polygons.
   std::vector<Vec3> cotangents;
+  std::vector<Polygon> polygons;  ///< ascending
+  mesh::Adjacency rings;          ///< the corners of each polygon
+  /// For each corner i of `rings`, the weights of |x_i - x_(i+1)|^2 and of |x_i - center|^2 in the energy.
+  std::vector<std::array<double, 2>> ring_weights;
   /// Area gradients g of the first two corners of each triangle. The third gradient is minus their sum.
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< for each vertex in `order`, all corners at the vertex: 3 * triangle + corner
@@ -67,6 +80,9 @@ struct Stitching {
   std::shared_ptr<const Binding> bound{};       ///< binding of the coarse model
 
   std::size_t vertices() const { return factors.size(); }
+  std::size_t maps() const { return rotated_as.size(); }
+  /// Adds K * x of each polygon to the gradients of its triangles.
+  void add_polygon_gradients(std::span<const Vec3> x, std::vector<std::array<Vec3, 2>>& gradients) const;
   bool serves(const Scheme& scheme) const {
     return holding == scheme.holding && (!bound || bound->weighting == scheme.weighting);
   }

@@ -370,7 +370,7 @@ Point mean_of(std::span<const std::uint32_t> corners, std::span<const Point> pos
 }
 
 // Adds triangles around the center or, if they do not cover the polygon, triangles of the polygon.
-void split_polygon(std::uint32_t polygon, std::size_t most, CenterSplit& split) {
+void split_polygon(std::uint32_t polygon, std::size_t most, bool at_diagonals, CenterSplit& split) {
   const auto corners = split.surface.polygon(polygon);
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     split.surface.triangles.push_back({a, b, c});
@@ -380,6 +380,8 @@ void split_polygon(std::uint32_t polygon, std::size_t most, CenterSplit& split) 
   std::vector<std::uint32_t> ring(corners.begin(), corners.end());
   std::ranges::rotate(ring, std::ranges::min_element(ring));
   const auto places = picked<Point>(split.surface.positions, ring);
+  if (const auto i = at_diagonals ? settled_corner(places) : none; i != none)
+    return add(ring[i], ring[i + 1], ring[i + 2]), add(ring[i], ring[i + 2], ring[(i + 3) % 4]);
   std::vector<Point> fan{mean_of(ring, split.surface.positions)};
   fan.insert(fan.end(), places.begin(), places.end());
   fan.push_back(places[0]);
@@ -395,12 +397,27 @@ void split_polygon(std::uint32_t polygon, std::size_t most, CenterSplit& split) 
 
 }  // namespace
 
-CenterSplit split_at_centers(const Surface& surface, std::span<const std::uint8_t> skipped,
-                             std::size_t most) {
+CenterSplit split_at_centers(const Surface& surface, std::span<const std::uint8_t> skipped) {
   CenterSplit split{{surface.positions, surface.corners, surface.polygon_starts, {}, {}, {}}, {}};
   for (std::uint32_t p = 0; p < surface.polygon_count(); ++p)
-    if (skipped.empty() || !skipped[p]) split_polygon(p, most, split);
+    if (skipped.empty() || !skipped[p]) split_polygon(p, none, false, split);
   return split;
+}
+
+CenterSplit split_unsettled(const Surface& surface, std::size_t most) {
+  CenterSplit split{{surface.positions, surface.corners, surface.polygon_starts, {}, {}, {}}, {}};
+  for (std::uint32_t p = 0; p < surface.polygon_count(); ++p) split_polygon(p, most, true, split);
+  return split;
+}
+
+std::uint32_t settled_corner(std::span<const Point> corners) {
+  if (corners.size() != 4) return none;
+  const double one = squared_norm(corners[2] - corners[0]), other = squared_norm(corners[3] - corners[1]);
+  if (std::abs(one - other) <= 2e-6 * std::max(one, other)) return none;
+  const std::uint32_t first = one < other ? 0 : 1;
+  std::array<Point, 4> from_first;
+  std::ranges::rotate_copy(corners, corners.begin() + first, from_first.begin());
+  return is_fan(from_first) ? first : none;
 }
 
 std::vector<Point> with_centers(const Surface& surface, std::span<const std::uint32_t> polygons,
