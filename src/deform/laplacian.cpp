@@ -47,12 +47,8 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
   return {scale * dot(s[1], s[2]), scale * dot(s[2], s[0]), scale * dot(s[0], s[1])};
 }
 
-void add_weight(std::uint32_t i, std::uint32_t j, double weight, std::vector<MatrixEntry>& entries) {
-  entries.insert(entries.end(), {{i, i, weight}, {j, j, weight}, {i, j, -weight}, {j, i, -weight}});
-}
-
-std::vector<MatrixEntry> stiffness_entries(std::span<const mesh::Point> positions,
-                                           std::span<const mesh::Triangle> triangles) {
+SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
+                              std::span<const mesh::Triangle> triangles) {
   const auto n = static_cast<std::uint32_t>(positions.size());
   std::vector<MatrixEntry> entries;
   entries.reserve(positions.size() + 12 * triangles.size());
@@ -60,14 +56,13 @@ std::vector<MatrixEntry> stiffness_entries(std::span<const mesh::Point> position
   for (const mesh::Triangle& t : triangles) {
     if (mesh::repeats_corner(t)) continue;
     const Vec3 half = half_cotangents(positions[t[0]], positions[t[1]], positions[t[2]]);
-    for (int k = 0; k < 3; ++k) add_weight(t[(k + 1) % 3], t[(k + 2) % 3], half[k], entries);
+    for (int k = 0; k < 3; ++k) {
+      const auto i = t[(k + 1) % 3], j = t[(k + 2) % 3];
+      entries.push_back({i, i, half[k]}), entries.push_back({j, j, half[k]});
+      entries.push_back({i, j, -half[k]}), entries.push_back({j, i, -half[k]});
+    }
   }
-  return entries;
-}
-
-SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
-                              std::span<const mesh::Triangle> triangles) {
-  return sparse_matrix(positions.size(), stiffness_entries(positions, triangles));
+  return sparse_matrix(positions.size(), entries);
 }
 
 namespace {
@@ -130,7 +125,8 @@ public:
       if (h > twin_[h] || a == b) continue;
       const double w = weight(h) / sides_;
       if (w < least_weight) continue;
-      add_weight(a, b, w, entries);
+      entries.push_back({a, a, w}), entries.push_back({b, b, w});
+      entries.push_back({a, b, -w}), entries.push_back({b, a, -w});
     }
     return sparse_matrix(vertices, entries);
   }

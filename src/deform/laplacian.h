@@ -30,13 +30,9 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
 /// triangles). Triangles that repeat a corner are ignored. Works for nonmanifold meshes. Thread-safe.
 SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                               std::span<const mesh::Triangle> triangles);
-/// Adds the entries of the energy weight * (f_i - f_j)^2.
-void add_weight(std::uint32_t i, std::uint32_t j, double weight, std::vector<MatrixEntry>& entries);
-std::vector<MatrixEntry> stiffness_entries(std::span<const mesh::Point> positions,
-                                           std::span<const mesh::Triangle> triangles);
 
-/// Polygons with more corners are not split at their centers in models, because each center joins all corners
-/// of its polygon in a matrix.
+/// Polygons of models with more corners have no center, see mesh::split_unsettled(), because a solve joins
+/// all corners of a polygon with a center.
 inline constexpr std::size_t most_split_corners = 32;
 
 struct IntrinsicLaplacian {

@@ -27,21 +27,6 @@ std::vector<std::size_t> vertices_of(const Entries& entries) {
   return vertices;
 }
 
-// Calls use(polygon, i) for each polygon whose map is begin + i, for maps from begin to end - 1.
-template <class Use>
-void for_polygons(const Stitching& s, std::size_t begin, std::size_t end, const Use& use) {
-  const auto first = std::ranges::lower_bound(s.polygons, begin, {}, &Stitching::Polygon::triangle);
-  for (auto p = first; p != s.polygons.end() && p->triangle < end; ++p)
-    use(static_cast<std::size_t>(p - s.polygons.begin()), p->triangle - begin);
-}
-
-// Calls use(triangle) for each triangle of a polygon except the first.
-template <class Use>
-void for_others(const Stitching& s, std::size_t polygon, const Use& use) {
-  const std::size_t first = s.polygons[polygon].others, count = s.rings.of(polygon).size() - 3;
-  for (std::size_t t = first; t < first + count; ++t) use(t);
-}
-
 }  // namespace
 
 // The maps M = rotation * stretch of a block of triangles. If split() is not called, rotation is M and
@@ -66,19 +51,6 @@ struct Stitcher::Maps {
                    *c = of.data() + triangles[i][2] * columns;
       for (std::size_t k = 0; k < used; ++k) sums[k][i] = (1.0 / 3) * (a[k] + b[k] + c[k]);
     }
-  }
-
-  void average_polygons(std::span<const double> of, RowForm form, const Stitching& s, std::size_t begin,
-                        std::size_t end) {
-    const std::size_t columns = shape(form).columns;
-    for_polygons(s, begin, end, [&](std::size_t p, std::size_t i) {
-      const auto ring = s.rings.of(p);
-      for (std::size_t k = 0; k < used; ++k) {
-        double sum = 0;
-        for (const auto v : ring) sum += of[v * columns + k];
-        sums[k][i] = sum / static_cast<double>(ring.size());
-      }
-    });
   }
 
   void rotate_by_logs(std::size_t count) {
@@ -123,15 +95,6 @@ struct Stitcher::Maps {
   void rotate(const Plane* in, Plane* out, std::size_t count) const {
     multiply<0, 1, 2, 3, 4, 5, 6, 7, 8>(rotations, in, out, count);
   }
-  Vec3 stretched(std::size_t i, const Vec3& x) const {
-    const auto& s = stretches;
-    return times({s[0][i], s[1][i], s[2][i], s[1][i], s[3][i], s[4][i], s[2][i], s[4][i], s[5][i]}, x);
-  }
-  Vec3 rotated(std::size_t i, const Vec3& x) const {
-    Mat rotation;
-    for (std::size_t k = 0; k < 9; ++k) rotation[k] = rotations[k][i];
-    return times(rotation, x);
-  }
   template <int... plane>  // index in m of each matrix entry, by rows
   static void multiply(const Plane* m, const Plane* in, Plane* out, std::size_t count) {
     constexpr int k[] = {plane...};
@@ -154,17 +117,20 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
       pool_(pool),
       loads_(3 * stitching_.triangles.size()),
       pin_targets_(stitching_.pins.size()),
-      right_(stitching_.vertices()),
-      positions_(stitching_.vertices()) {
+      right_(stitching_.factors.size()),
+      positions_(stitching_.factors.size()) {
   assert(form == RowForm::logs || form == RowForm::maps);
 }
 
 void Stitcher::set_shares(const Shares& shares) {
-  pin_shares_ = picked(std::span(shares), vertices_of(stitching_.pins));
+  const auto all = stitching_.with_centers(std::span(shares));
+  pin_shares_ = picked(std::span(all), vertices_of(stitching_.pins));
 }
 
-void Stitcher::set_shape(std::span<const Vec3> ways) {
+void Stitcher::set_shape(std::span<const Vec3> of_vertices) {
   const Stitching& s = stitching_;
+  const std::vector<Vec3> all = s.with_centers(of_vertices);
+  const std::span<const Vec3> ways(all);
   shaped_gradients_.clear();
   pin_ways_ = picked(ways, vertices_of(s.pins));
   if (ways.empty()) return;
@@ -176,7 +142,6 @@ void Stitcher::set_shape(std::span<const Vec3> ways) {
       for (const std::size_t i : {0, 1}) shaped_gradients_[t][i] = shaped_gradients_[t][i] + more[i];
     }
   });
-  s.add_polygon_gradients(ways, shaped_gradients_);
 }
 
 void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held,
@@ -184,7 +149,9 @@ void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<con
   base::Stopwatch watch;
   loads_ms_ = solve_ms_ = 0;
   place_pins(rows, method);
-  load_blended(sums, method, iterations > 1);
+  const bool has_centers = stitching_.vertices() < positions_.size();
+  const auto all = has_centers ? stitching_.with_centers(sums, rows.columns()) : std::vector<double>();
+  load_blended(has_centers ? std::span(all) : sums, method, iterations > 1);
   loads_ms_ += watch.lap_ms();
   solve(held);
   solve_ms_ += watch.lap_ms();
@@ -215,12 +182,11 @@ inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
 void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, bool keep_stretches) {
   if (keep_stretches) stretched_.resize(stitching_.triangles.size());
   const auto& gradients_at = shaped_gradients_.empty() ? stitching_.gradients : shaped_gradients_;
-  pool_.for_blocks(stitching_.maps(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+  pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     const auto triangles = std::span(stitching_.triangles).subspan(begin, end - begin);
     const std::size_t count = triangles.size();
     Maps maps;
     maps.average(sums, form_, triangles);
-    maps.average_polygons(sums, form_, stitching_, begin, end);
     maps.make(form_, count, method, keep_stretches);
     alignas(64) Maps::Plane gradients[6], stretched[6], loads[6];
     for (std::size_t i = 0; i < count; ++i) {
@@ -235,47 +201,30 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
       return Vec3{planes[0][i], planes[1][i], planes[2][i]};
     };
     for (std::size_t i = 0; i < count; ++i) set_load(begin + i, of(loads, i), of(loads + 3, i));
-    for (std::size_t i = 0; keep_stretches && i < count; ++i)
-      stretched_[begin + i] = {of(stretched, i), of(stretched + 3, i)};
-    for_polygons(stitching_, begin, end, [&](std::size_t p, std::size_t i) {
-      for_others(stitching_, p, [&](std::size_t t) {
-        const Vec3 a = maps.stretched(i, gradients_at[t][0]), b = maps.stretched(i, gradients_at[t][1]);
-        set_load(t, maps.rotated(i, a), maps.rotated(i, b));
-        if (keep_stretches) stretched_[t] = {a, b};
-      });
-    });
+    if (!keep_stretches) return;
+    for (std::size_t i = 0; i < count; ++i) stretched_[begin + i] = {of(stretched, i), of(stretched + 3, i)};
   });
 }
 
 // Sets the loads with new rotations R. R is the rotation nearest to A = sum_i x'_i * (S * g_i)^T. This R
-// maximises tr(R^T * A), the only term of the energy of a triangle or polygon that depends on R.
+// maximises tr(R^T * A), the only term of the triangle's energy that depends on R.
 void Stitcher::load_refitted() {
-  pool_.for_blocks(stitching_.maps(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
-    std::array<Mat, triangles_per_block> rotations{};
-    const auto add = [&](std::size_t t, Mat& sum) {
-      const auto& [a, b, c] = stitching_.triangles[t];
-      const Vec3 u = positions_[a] - positions_[c], v = positions_[b] - positions_[c];
-      const auto& [su, sv] = stretched_[t];
-      for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t k = 0; k < 3; ++k) sum[3 * r + k] += u[r] * su[k] + v[r] * sv[k];
-      }
-    };
+  pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+    std::array<Mat, triangles_per_block> rotations;
     for (std::size_t t = begin; t < end; ++t) {
-      const std::size_t as = stitching_.rotated_as[t];
-      add(as, rotations[t - begin]);
-      for_polygons(stitching_, as, as + 1, [&](std::size_t p, std::size_t) {
-        for_others(stitching_, p, [&](std::size_t other) { add(other, rotations[t - begin]); });
-      });
+      const std::uint32_t as = stitching_.rotated_as[t];
+      const auto& [a, b, c] = stitching_.triangles[as];
+      const Vec3 u = positions_[a] - positions_[c], v = positions_[b] - positions_[c];
+      const auto& [su, sv] = stretched_[as];
+      for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t k = 0; k < 3; ++k) rotations[t - begin][3 * r + k] = u[r] * su[k] + v[r] * sv[k];
+      }
     }
     const sym3::MatView<double> view{sym3::Layout::packed, rotations[0].data()};
     sym3::polar(view, view, end - begin);
-    const auto load = [&](std::size_t t, const Mat& rotation) {
-      set_load(t, times(rotation, stretched_[t][0]), times(rotation, stretched_[t][1]));
-    };
-    for (std::size_t t = begin; t < end; ++t) load(t, rotations[t - begin]);
-    for_polygons(stitching_, begin, end, [&](std::size_t p, std::size_t i) {
-      for_others(stitching_, p, [&](std::size_t t) { load(t, rotations[i]); });
-    });
+    for (std::size_t t = begin; t < end; ++t)
+      set_load(t, times(rotations[t - begin], stretched_[t][0]),
+               times(rotations[t - begin], stretched_[t][1]));
   });
 }
 

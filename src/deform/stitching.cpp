@@ -33,7 +33,7 @@ class StitchMaker {
 public:
   StitchMaker(const mesh::Surface& model, const Cage& cage, const Holding& holding, base::WorkerPool& pool,
               base::Progress* progress)
-      : model_(model),
+      : original_(model),
         split_(mesh::split_unsettled(model, most_split_corners)),
         cage_(cage),
         holding_(holding),
@@ -45,29 +45,48 @@ public:
     find_couplings();
     find_pins();
     hold_the_rest();
-    Stitching s;
-    s.holding = holding_, s.pins = std::move(pins_), s.holds = std::move(holds_);
+    SparseMatrix matrix = with_couplings(stiffness_matrix(model_.positions, model_.triangles), couplings_);
+    add_diagonal(matrix);
+    Stitching s{holding_,
+                rings(),
+                {},
+                {},
+                {},
+                {},
+                {},
+                {},
+                std::move(pins_),
+                {},
+                std::move(holds_),
+                SparseCholesky(matrix, pool_, told(progress_, found_pins, 1))};
     fill_triangles(s);
     fill_pinned(s);
-    SparseMatrix matrix = with_couplings(stiffness(s), couplings_);
-    add_diagonal(s, matrix);
-    s.factors = SparseCholesky(matrix, pool_, told(progress_, found_pins, 1));
     return s;
   }
 
 private:
+  mesh::Adjacency rings() const {
+    mesh::Adjacency rings{{0}, {}};
+    for (const auto polygon : split_.polygons) {
+      const auto ring = original_.polygon(polygon);
+      rings.items.insert(rings.items.end(), ring.begin(), ring.end());
+      rings.starts.push_back(static_cast<std::uint32_t>(rings.items.size()));
+    }
+    return rings;
+  }
+
   void find_thin() {
-    const auto& p = split_.surface.positions;
-    thin_.resize(split_.surface.triangles.size());
+    const auto& p = model_.positions;
+    thin_.resize(model_.triangles.size());
     for (std::size_t t = 0; t < thin_.size(); ++t) {
-      const auto& [a, b, c] = split_.surface.triangles[t];
+      const auto& [a, b, c] = model_.triangles[t];
       thin_[t] = is_thin(p[a], p[b], p[c]);
     }
   }
 
   void find_couplings() {
-    couplings_ = vertex_couplings(model_, pool_);
-    const auto lowest = mesh::lowest_in_place(model_.positions);
+    couplings_ = vertex_couplings(original_, pool_);
+    const auto lowest = mesh::lowest_in_place(original_.positions);
     for (std::uint32_t v = 0; v < lowest.size(); ++v) {
       const auto w = lowest[v];
       if (w != v) couplings_.push_back({v, {w, w, w}, {1, 0, 0}, most_strength});
@@ -85,27 +104,18 @@ private:
     for (const auto& pins : found) pins_.insert(pins_.end(), pins.begin(), pins.end());
   }
 
-  bool has_center(std::size_t t) const { return split_.surface.triangles[t][0] >= model_.positions.size(); }
-
-  // Returns the corners of a triangle or, if it has a center, of its polygon.
-  std::span<const std::uint32_t> corners(std::size_t t) const {
-    if (has_center(t)) return model_.polygon(split_.surface.triangle_polygon[t]);
-    return split_.surface.triangles[t];
-  }
-
-  // Returns the nearest triangles that are not thin, only one per polygon with a center. If triangles are
-  // equally near up to rounding, returns those of them whose triangle or polygon has the nearest centre.
+  // Returns the nearest triangles that are not thin. If triangles are equally near up to rounding, returns
+  // those of them with the nearest centre.
   std::vector<std::size_t> nearest_triangles(const mesh::Point& point) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto& p = split_.surface.positions;
-    const auto& triangles = split_.surface.triangles;
+    const auto& p = model_.positions;
     const double slack = indistinguishable * cage_.diagonal;
     double least = infinity, nearest_center = infinity;
     std::vector<std::pair<double, std::size_t>> near;  // distances of centres, and triangles
     for (const bool finds_distance : {true, false}) {
-      for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (std::size_t t = 0; t < model_.triangles.size(); ++t) {
         if (thin_[t]) continue;
-        const auto& [a, b, c] = triangles[t];
+        const auto& [a, b, c] = model_.triangles[t];
         const double side = std::sqrt(std::max(squared_norm(p[b] - p[a]), squared_norm(p[c] - p[a])));
         const double farthest = least + slack + side;  // limit of the distance to corner a
         if (squared_norm(point - p[a]) > farthest * farthest) continue;
@@ -114,8 +124,7 @@ private:
         if (finds_distance) {
           least = std::min(least, distance);
         } else if (distance <= least + slack) {
-          if (has_center(t) && !near.empty() && triangles[near.back().second][0] == a) continue;
-          near.push_back({norm(point - (has_center(t) ? p[a] : (1.0 / 3) * (p[a] + p[b] + p[c]))), t});
+          near.push_back({norm(point - (1.0 / 3) * (p[a] + p[b] + p[c])), t});
           nearest_center = std::min(nearest_center, near.back().first);
         }
       }
@@ -130,9 +139,8 @@ private:
     std::vector<Stitching::Pin> pins;
     const auto triangles = nearest_triangles(center);
     for (const std::size_t t : triangles) {
-      const double share = 3.0 / static_cast<double>(corners(t).size());
-      for (const auto v : corners(t))
-        pins.push_back({v, handle, share * pin_strength / static_cast<double>(triangles.size())});
+      for (const auto v : model_.triangles[t])
+        pins.push_back({v, handle, pin_strength / static_cast<double>(triangles.size())});
     }
     const double radius = holding_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
@@ -143,12 +151,12 @@ private:
   }
 
   void hold_the_rest() {
-    const std::size_t n = model_.positions.size(), all = split_.surface.positions.size();
-    mesh::UnionFind parts(all);
-    std::vector<std::uint8_t> firm(all, 0), pinned(all, 0);  // firm: one per vertex; pinned: one per part
+    const std::size_t n = model_.positions.size();
+    mesh::UnionFind parts(n);
+    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // firm: one per vertex; pinned: one per part
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       if (thin_[t]) continue;
-      const auto& [a, b, c] = split_.surface.triangles[t];
+      const auto& [a, b, c] = model_.triangles[t];
       parts.join(a, b), parts.join(b, c);
       firm[a] = firm[b] = firm[c] = 1;
     }
@@ -157,7 +165,7 @@ private:
       parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
     }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;
-    for (std::uint32_t v = 0; v < n; ++v) {
+    for (std::uint32_t v = 0; v < original_.positions.size(); ++v) {
       double weight = holding_.weight;
       if (!firm[v]) {
         weight += hold_of_loose_vertex;
@@ -168,69 +176,15 @@ private:
     }
   }
 
-  static void add_diagonal(const Stitching& s, SparseMatrix& matrix) {
+  void add_diagonal(SparseMatrix& matrix) const {
     std::vector<double> firmness(matrix.size(), 0.0);
-    for (const auto& pin : s.pins) firmness[pin.vertex] += pin.weight;
-    for (const auto& hold : s.holds) firmness[hold.vertex] += hold.weight;
+    for (const auto& pin : pins_) firmness[pin.vertex] += pin.weight;
+    for (const auto& hold : holds_) firmness[hold.vertex] += hold.weight;
     for (std::size_t v = 0; v < matrix.size(); ++v) {
       for (auto i = matrix.starts[v]; i < matrix.starts[v + 1]; ++i) {
         if (static_cast<std::size_t>(matrix.rows[i]) == v) matrix.values[i] += firmness[v];
       }
     }
-  }
-
-  SparseMatrix stiffness(const Stitching& s) const {
-    std::vector<mesh::Triangle> whole;
-    for (std::size_t t = 0; t < thin_.size(); ++t)
-      if (!has_center(t)) whole.push_back(split_.surface.triangles[t]);
-    auto entries = stiffness_entries(model_.positions, whole);
-    for (std::size_t p = 0; p < s.polygons.size(); ++p) {
-      const auto ring = s.rings.of(p);
-      const auto weights = std::span(s.ring_weights).subspan(s.rings.starts[p], ring.size());
-      const double n = static_cast<double>(ring.size());
-      double sum = 0;
-      for (const auto& [side, spoke] : weights) sum += spoke;
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const std::size_t next = (i + 1) % ring.size();
-        add_weight(ring[i], ring[next], weights[i][0], entries);
-        entries.push_back({ring[i], ring[i], weights[i][1]});
-        for (std::size_t j = 0; j < ring.size(); ++j)
-          entries.push_back({ring[i], ring[j], (sum / n - weights[i][1] - weights[j][1]) / n});
-      }
-    }
-    return sparse_matrix(model_.positions.size(), entries);
-  }
-
-  // Returns the triangles and the first triangles of polygons, in the order of their first places.
-  std::vector<std::size_t> sorted_triangles(std::span<const std::uint32_t> places) const {
-    const auto& triangles = split_.surface.triangles;
-    std::vector<std::size_t> sorted;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const bool first = t == 0 || triangles[t - 1][0] != triangles[t][0];
-      if (has_center(t) ? first : !mesh::repeats_corner(triangles[t])) sorted.push_back(t);
-    }
-    std::ranges::stable_sort(sorted, {}, [&](std::size_t t) {
-      const auto all = corners(t);
-      const auto place = [&](std::uint32_t v) { return places[v]; };
-      return places[*std::ranges::min_element(all, {}, place)];
-    });
-    return sorted;
-  }
-
-  // Adds the weights of the polygon's energy. `t` is the first of its triangles.
-  void add_ring(std::size_t t, Stitching& s) const {
-    const auto& p = split_.surface.positions;
-    const std::size_t n = corners(t).size(), begin = s.ring_weights.size();
-    s.ring_weights.resize(begin + n, {0, 0});
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto& [center, a, b] = split_.surface.triangles[t + i];
-      const Vec3 half = half_cotangents(p[center], p[a], p[b]);
-      s.rings.items.push_back(a);
-      s.ring_weights[begin + i][0] += half[0];
-      s.ring_weights[begin + i][1] += half[2];
-      s.ring_weights[begin + (i + 1) % n][1] += half[1];
-    }
-    s.rings.starts.push_back(static_cast<std::uint32_t>(s.rings.items.size()));
   }
 
   void fill_triangles(Stitching& s) const {
@@ -239,51 +193,36 @@ private:
     const std::vector<std::uint32_t> places = slots_of(leaves);
     s.order = std::move(leaves.order);
     s.order.resize(p.size());  // removes the padding
-    s.rings.starts = {0};
-    std::vector<std::uint32_t> beside(p.size(), no_triangle);
-    for (const auto t : sorted_triangles(places)) {
-      const auto own = static_cast<std::uint32_t>(s.triangles.size());
-      s.rotated_as.push_back(own);
-      if (!thin_[t])
-        for (const auto v : corners(t)) beside[v] = own;
-      if (has_center(t)) {
-        s.polygons.push_back({own, 0});
-        add_ring(t, s);
-        const auto ring = s.rings.of(s.polygons.size() - 1);
-        s.triangles.push_back({ring[0], ring[1], ring[2]});
-        s.cotangents.push_back({0, 0, 0}), s.gradients.push_back({});
-        continue;
-      }
-      const auto& [a, b, c] = s.triangles.emplace_back(split_.surface.triangles[t]);
+    s.triangles = mesh::proper_triangles(model_);
+    const auto first_place = [&](const mesh::Triangle& t) {
+      return std::min({places[t[0]], places[t[1]], places[t[2]]});
+    };
+    std::ranges::stable_sort(s.triangles, {}, first_place);
+    for (const auto& [a, b, c] : s.triangles) {
       s.cotangents.push_back(half_cotangents(p[a], p[b], p[c]));
       s.gradients.push_back(area_gradients(s.cotangents.back(), p[a], p[b], p[c]));
     }
-    fill_couplings(beside, s);
-    for (std::size_t i = 0; i < s.polygons.size(); ++i) {
-      const auto ring = s.rings.of(i);
-      s.polygons[i].others = static_cast<std::uint32_t>(s.triangles.size());
-      for (std::size_t k = 3; k < ring.size(); ++k) s.triangles.push_back({ring[0], ring[k - 1], ring[k]});
+    std::vector<std::uint32_t> beside(p.size(), no_triangle);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+      s.rotated_as.push_back(t);
+      const auto& [a, b, c] = s.triangles[t];
+      if (!is_thin(p[a], p[b], p[c])) beside[a] = beside[b] = beside[c] = t;
     }
-    s.cotangents.resize(s.triangles.size()), s.gradients.resize(s.triangles.size());
-    s.add_polygon_gradients(p, s.gradients);
-    s.around = mesh::make_adjacency(p.size(), [&](const auto& add) {
-      for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) add(places[s.triangles[t][k]], 3 * t + k);
-      }
-    });
-  }
-
-  void fill_couplings(std::span<const std::uint32_t> beside, Stitching& s) const {
     for (const auto& [a, t, shares, strength] : couplings_) {
       const auto b = t[0];
       const auto own = static_cast<std::uint32_t>(s.triangles.size());
       const auto other = beside[a] != no_triangle ? beside[a] : beside[b];
       s.rotated_as.push_back(other != no_triangle ? other : own);
-      const Vec3 g = strength * (model_.positions[a] - model_.positions[b]);
+      const Vec3 g = strength * (p[a] - p[b]);
       s.triangles.push_back({a, b, b});
       s.cotangents.push_back({0, 0, strength});
       s.gradients.push_back({g, Vec3{0, 0, 0} - g});
     }
+    s.around = mesh::make_adjacency(p.size(), [&](const auto& add) {
+      for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        for (std::uint32_t k = 0; k < 3; ++k) add(places[s.triangles[t][k]], 3 * t + k);
+      }
+    });
   }
 
   void fill_pinned(Stitching& s) const {
@@ -299,13 +238,14 @@ private:
     b.rest = std::make_shared<const std::vector<mesh::Point>>(std::move(rest));
   }
 
-  const mesh::Surface& model_;
-  mesh::CenterSplit split_;
+  const mesh::Surface& original_;
+  const mesh::CenterSplit split_;
+  const mesh::Surface& model_ = split_.surface;
   const Cage& cage_;
   Holding holding_;
   base::WorkerPool& pool_;
   base::Progress* progress_;
-  std::vector<std::uint8_t> thin_;   // one per triangle of split_
+  std::vector<std::uint8_t> thin_;
   std::vector<Coupling> couplings_;  // each joins two vertices, see by_corners()
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
@@ -331,32 +271,6 @@ Stitching stitch_all(const mesh::Surface& model, const Cage& cage, base::WorkerP
 // Returns the first two rows of K * X. K is the triangle's stiffness matrix; the rows of X are a, b and c.
 std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, const Vec3& c) {
   return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
-}
-
-// The corners' gradients are sums over the fan: triangle k has b at corner k and -(a + b) at corner k + 1.
-// Only the last triangle has an a, at the first corner.
-void Stitching::add_polygon_gradients(std::span<const Vec3> x,
-                                      std::vector<std::array<Vec3, 2>>& gradients) const {
-  for (std::size_t p = 0; p < polygons.size(); ++p) {
-    const auto ring = rings.of(p);
-    const auto weights = std::span(ring_weights).subspan(rings.starts[p], ring.size());
-    const std::size_t n = ring.size();
-    Vec3 mean{0, 0, 0}, spokes{0, 0, 0}, sum{0, 0, 0};
-    for (const auto v : ring) mean = mean + (1 / static_cast<double>(n)) * (x[v] - x[ring[0]]);
-    mean = mean + x[ring[0]];
-    for (std::size_t i = 0; i < n; ++i) spokes = spokes + weights[i][1] * (x[ring[i]] - mean);
-    const auto gradient = [&](std::size_t i) {
-      const std::size_t next = (i + 1) % n, last = (i + n - 1) % n;
-      return weights[i][1] * (x[ring[i]] - mean) - (1 / static_cast<double>(n)) * spokes +
-             weights[i][0] * (x[ring[i]] - x[ring[next]]) + weights[last][0] * (x[ring[i]] - x[ring[last]]);
-    };
-    for (std::size_t k = 1; k + 1 < n; ++k) {
-      auto& [a, b] = gradients[k == 1 ? polygons[p].triangle : polygons[p].others + k - 2];
-      sum = sum + gradient(k);
-      b = b + sum;
-      if (k + 2 == n) a = a + gradient(0);
-    }
-  }
 }
 
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Scheme& scheme,

@@ -34,8 +34,9 @@ inline constexpr double pin_strength = 0.03;
 /// is stored as triangle (a, b, b). Parts without a pin have a hold with weight 1e-4 at each vertex. A vertex
 /// with only thin triangles (see half_cotangents()), or without triangles, has a hold with weight 1.
 ///
-/// A polygon with a center, see mesh::split_unsettled(), has one map: that of the mean of its corners' sums.
-/// Its energy is that of its triangles, with the center at the mean of the corners.
+/// The triangles are those of mesh::split_unsettled(). The centers of polygons are further vertices, whose
+/// blended values are the means of those of the polygons' corners. Polygons have at most most_split_corners
+/// corners.
 ///
 /// If needs_coarse_model(), the coarse model is stitched. Its displacements from the means of the blended
 /// positions are interpolated.
@@ -50,25 +51,16 @@ struct Stitching {
     std::uint32_t vertex;
     double weight;
   };
-  /// A polygon with a center: a fan of triangles around its first corner, which share the map of the first.
-  struct Polygon {
-    std::uint32_t triangle, others;  ///< the first triangle, and the first of the `corners - 3` others
-  };
 
   Holding holding;
-  std::vector<std::uint32_t> order;  ///< all vertices, ordered for locality
-  /// All proper triangles, and the first triangles of polygons, in the order of vertices; then couplings;
-  /// then the other triangles of polygons.
-  std::vector<mesh::Triangle> triangles;
-  /// For each map, the index of the triangle that provides the fitted rotation: the triangle itself or, for a
-  /// coupling, a neighbouring triangle, because a line does not determine a rotation.
+  mesh::Adjacency rings;                  ///< the corners of each polygon with a center
+  std::vector<std::uint32_t> order;       ///< all vertices, then centers, ordered for locality
+  std::vector<mesh::Triangle> triangles;  ///< all proper triangles, in the order of vertices; then couplings
+  /// For each triangle, the index of the triangle that provides the fitted rotation: the triangle itself or,
+  /// for a coupling, a neighbouring triangle, because a line does not determine a rotation.
   std::vector<std::uint32_t> rotated_as;
-  /// Half cotangents of the corners, from which K is computed; (0, 0, c) for a coupling, and 0 for polygons.
+  /// Half cotangents of the corners, from which K is computed; (0, 0, c) for a coupling.
   std::vector<Vec3> cotangents;
-  std::vector<Polygon> polygons;  ///< ascending
-  mesh::Adjacency rings;          ///< the corners of each polygon
-  /// For each corner i of `rings`, the weights of |x_i - x_(i+1)|^2 and of |x_i - center|^2 in the energy.
-  std::vector<std::array<double, 2>> ring_weights;
   /// Area gradients g of the first two corners of each triangle. The third gradient is minus their sum.
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< for each vertex in `order`, all corners at the vertex: 3 * triangle + corner
@@ -79,10 +71,22 @@ struct Stitching {
   std::shared_ptr<const CoarseModel> coarse{};  ///< null if the model itself is stitched
   std::shared_ptr<const Binding> bound{};       ///< binding of the coarse model
 
-  std::size_t vertices() const { return factors.size(); }
-  std::size_t maps() const { return rotated_as.size(); }
-  /// Adds K * x of each polygon to the gradients of its triangles.
-  void add_polygon_gradients(std::span<const Vec3> x, std::vector<std::array<Vec3, 2>>& gradients) const;
+  /// Returns the number of the model's vertices, without the centers.
+  std::size_t vertices() const { return factors.size() - rings.starts.size() + 1; }
+  /// Adds the values of the centers to values of the vertices. Each vertex has `columns` values.
+  template <class T>
+  std::vector<T> with_centers(std::span<const T> values, std::size_t columns = 1) const {
+    std::vector<T> all(values.begin(), values.end());
+    for (std::size_t i = 0; !values.empty() && i + 1 < rings.starts.size(); ++i) {
+      const double share = 1 / static_cast<double>(rings.of(i).size());
+      for (std::size_t k = 0; k < columns; ++k) {
+        T mean{};
+        for (const auto v : rings.of(i)) mean = mean + share * values[v * columns + k];
+        all.push_back(mean);
+      }
+    }
+    return all;
+  }
   bool serves(const Scheme& scheme) const {
     return holding == scheme.holding && (!bound || bound->weighting == scheme.weighting);
   }

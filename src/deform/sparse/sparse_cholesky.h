@@ -54,7 +54,6 @@ public:
     base::AlignedVector<double> rows, part;  // four numbers per unknown
   };
 
-  SparseCholesky() = default;  ///< of a matrix without rows
   /// Reads only the lower triangle of a symmetric matrix. Throws base::Error, which names the row, if the
   /// matrix is not finite or not positive definite up to rounding. Also throws what `report` throws.
   explicit SparseCholesky(const SparseMatrix& matrix, base::WorkerPool& pool,
