@@ -412,12 +412,12 @@ CenterSplit split_unsettled(const Surface& surface, std::size_t most) {
 
 std::uint32_t settled_corner(std::span<const Point> corners) {
   if (corners.size() != 4) return none;
+  const std::array others{corners[1], corners[2], corners[3], corners[0]};
+  const bool covers = is_fan(corners);
+  if (covers != is_fan(others)) return covers ? 0 : 1;
   const double one = squared_norm(corners[2] - corners[0]), other = squared_norm(corners[3] - corners[1]);
   if (std::abs(one - other) <= 2e-6 * std::max(one, other)) return none;
-  const std::uint32_t first = one < other ? 0 : 1;
-  std::array<Point, 4> from_first;
-  std::ranges::rotate_copy(corners, corners.begin() + first, from_first.begin());
-  return is_fan(from_first) ? first : none;
+  return one < other ? 0 : 1;
 }
 
 std::vector<Point> with_centers(const Surface& surface, std::span<const std::uint32_t> polygons,

@@ -35,12 +35,12 @@ struct CenterSplit {
 
 /// Polygons with a mark in `skipped`, which may be empty, have no triangles.
 CenterSplit split_at_centers(const Surface& surface, std::span<const std::uint8_t> skipped = {});
-/// Works like split_at_centers(), but with fewer centers: a quad with a shorter diagonal, see
+/// Works like split_at_centers(), but with fewer centers: a quad with a better diagonal, see
 /// settled_corner(), is split there, and a polygon with more than `most` corners has no center.
 CenterSplit split_unsettled(const Surface& surface, std::size_t most);
 
-/// Returns the corner, 0 or 1, from which the shorter diagonal of a quad starts; or `none` for other
-/// polygons, if the lengths are equal up to 1e-6, or if the shorter diagonal is not inside of the quad.
+/// Returns the corner, 0 or 1, from which the better diagonal of a quad starts: the only one that covers the
+/// quad, or the shorter one. Returns `none` for other polygons, and if the lengths are equal up to 1e-6.
 std::uint32_t settled_corner(std::span<const Point> corners);
 
 /// Returns positions for the vertices of a CenterSplit, from positions of the vertices of `surface`.
