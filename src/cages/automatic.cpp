@@ -11,6 +11,8 @@
 #include "cages/collapse.h"
 #include "cages/extraction.h"
 #include "cages/soundness.h"
+#include "mesh/defects.h"
+#include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 
 namespace viete::cages {
@@ -270,8 +272,19 @@ private:
     return true;
   }
 
+  // Returns pairs whose quads, split as in mesh::CenterSplit, intersect neither the model nor the cage.
+  std::vector<TrianglePair> sound_pairs(const Shell& half) const {
+    auto pairs = quad_pairs(half, [&](const mesh::Corners& t) { return !tree_.is_near(t); });
+    const mesh::Surface split = mesh::split_at_centers(with_quads(half, pairs)).surface;
+    auto crossing = mesh::self_intersecting_triangles(split);
+    for (auto& t : crossing) t = split.triangle_polygon[t];
+    std::erase_if(pairs,
+                  [&, i = 0u](const TrianglePair&) mutable { return std::ranges::count(crossing, i++) > 0; });
+    return pairs;
+  }
+
   Made finish(const Shell& half, double gap) {
-    auto pairs = wish_.quads ? quad_pairs(half) : std::vector<TrianglePair>{};
+    auto pairs = wish_.quads ? sound_pairs(half) : std::vector<TrianglePair>{};
     if (mirror_) {
       const auto image = static_cast<std::uint32_t>(half.triangles.size());
       for (std::size_t i = 0, n = pairs.size(); i < n; ++i)

@@ -14,21 +14,22 @@ namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
 
-// Returns a displacement for each cage vertex, to move the cage outward past the points `outside`.
-std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
-  const mesh::TriangleTree tree(cage.positions, cage.triangles);
+// Returns a displacement for each cage vertex, to move the cage outward past the points `outside`. `split`
+// has the triangles of the cage.
+std::vector<Vec3> ways_outward(const Surface& cage, const Surface& split, const std::vector<Point>& outside,
+                               double margin) {
+  const mesh::TriangleTree tree(split.positions, split.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
   std::vector<double> farthest(cage.positions.size(), 0);
   const double side = mesh::summarize(cage).volume < 0 ? -1 : 1;  // -1 if the normals point inward
   for (const Point& p : outside) {
     const auto nearest = tree.nearest(p);
-    const mesh::Triangle& t = cage.triangles[nearest.triangle];
-    const Vec3 area =
-        mesh::cross(cage.positions[t[1]] - cage.positions[t[0]], cage.positions[t[2]] - cage.positions[t[0]]);
+    const auto [a, b, c] = mesh::corners_of(split.positions, split.triangles[nearest.triangle]);
+    const Vec3 area = mesh::cross(b - a, c - a);
     const double length = mesh::norm(area);
     if (!(length > 0)) continue;
     const double distance = std::sqrt(nearest.squared_distance) + margin;
-    for (const auto v : t) {
+    for (const auto v : cage.polygon(split.triangle_polygon[nearest.triangle])) {
       if (distance <= farthest[v]) continue;
       farthest[v] = distance;
       ways[v] = (side * distance / length) * area;
@@ -59,7 +60,8 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   // Later rounds test only vertices that were outside. If none is left, the next round tests all vertices.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
-    const auto outside = mesh::points_outside(moved, asked);
+    const Surface split = mesh::split_at_centers(moved).surface;
+    const auto outside = mesh::points_outside(split, asked);
     const bool all = asked.size() == model.positions.size();
     if (all && (outside.empty() || round >= most_rounds)) return {std::move(moved.positions), outside.size()};
     if (outside.empty() || round >= most_rounds) {
@@ -67,9 +69,8 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
       continue;
     }
     std::vector<Point> points = mesh::picked<Point>(asked, outside);
-    const auto ways = ways_outward(moved, points, distance);
+    const auto ways = ways_outward(moved, split, points, distance);
     for (std::size_t v = 0; v < ways.size(); ++v) moved.positions[v] = moved.positions[v] + ways[v];
-    mesh::triangulate(moved);
     asked = std::move(points);
   }
 }

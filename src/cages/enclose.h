@@ -22,8 +22,9 @@ struct Enclosing {
   std::size_t left = 0;                ///< the number of model vertices that are still outside
 };
 
-/// Moves cage triangles outward past the model vertices that are outside, and then farther by `margin` * the
-/// model's diagonal. Stops after several rounds, even if vertices are left. Requires a closed cage.
+/// Moves cage faces, split as in mesh::CenterSplit, outward past the model vertices that are outside, and
+/// then farther by `margin` * the model's diagonal. Stops after several rounds, even if vertices are left.
+/// Requires a closed cage.
 Enclosing enclose(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 }  // namespace viete::cages

@@ -192,13 +192,22 @@ double badness(const Shell& shell, const Quad& quad) {
   return std::max(bend, worst);
 }
 
+// True if all triangles of the quad fit, see mesh::CenterSplit.
+bool fit(const Shell& shell, const Quad& quad, const TriangleTest& fits) {
+  const auto at = [&](std::size_t i) { return shell.positions[quad[i % 4]]; };
+  const Point center = 0.25 * ((at(0) + at(1)) + (at(2) + at(3)));
+  for (std::size_t i = 0; i < 4; ++i)
+    if (!fits({center, at(i), at(i + 1)})) return false;
+  return true;
+}
+
 }  // namespace
 
 Shell extract(const Clearance& clearance, double level) {
   return Extraction(clearance, level).run();
 }
 
-std::vector<TrianglePair> quad_pairs(const Shell& shell) {
+std::vector<TrianglePair> quad_pairs(const Shell& shell, const TriangleTest& fits) {
   struct Option {
     double badness;
     TrianglePair pair;
@@ -209,8 +218,9 @@ std::vector<TrianglePair> quad_pairs(const Shell& shell) {
     const auto sides = edges.of(e);
     if (sides.size() != 2) continue;
     const TrianglePair pair = {sides[0].triangle, sides[1].triangle};
-    const double bad = badness(shell, quad_of(shell.triangles[pair[0]], shell.triangles[pair[1]]));
-    if (bad <= 1) options.push_back({bad, pair});
+    const Quad quad = quad_of(shell.triangles[pair[0]], shell.triangles[pair[1]]);
+    const double bad = badness(shell, quad);
+    if (bad <= 1 && (!fits || fit(shell, quad, fits))) options.push_back({bad, pair});
   }
   std::ranges::stable_sort(options, {}, &Option::badness);
   std::vector<std::uint8_t> taken(shell.triangles.size(), 0);

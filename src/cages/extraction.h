@@ -3,11 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "cages/clearance.h"
-#include "mesh/surface.h"
+#include "mesh/triangle.h"
 
 namespace viete::cages {
 
@@ -26,8 +27,10 @@ Shell extract(const Clearance& clearance, double level);
 using TrianglePair = std::array<std::uint32_t, 2>;
 
 /// Returns pairs of neighbouring triangles that form good quads: nearly flat, convex, and with angles near 90
-/// degrees. Begins with the best pair. A triangle is in at most one pair.
-std::vector<TrianglePair> quad_pairs(const Shell& shell);
+/// degrees. Begins with the best pair. A triangle is in at most one pair. If `fits` is not empty, it must be
+/// true for the triangles of each quad, see mesh::CenterSplit.
+using TriangleTest = std::function<bool(const mesh::Corners&)>;
+std::vector<TrianglePair> quad_pairs(const Shell& shell, const TriangleTest& fits = {});
 
 /// Joins the pairs to quads. The result has the same triangles as the shell, but in another order.
 mesh::Surface with_quads(const Shell& shell, std::span<const TrianglePair> pairs);

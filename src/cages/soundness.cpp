@@ -5,6 +5,7 @@
 #include "cages/subject.h"
 #include "mesh/defects.h"
 #include "mesh/summary.h"
+#include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 #include "mesh/winding_number.h"
 
@@ -111,15 +112,16 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
   found.open_edges =
       summary.boundary_edges.size() + summary.nonmanifold_edges.size() + summary.misoriented_edges.size();
   found.pinched_vertices = mesh::nonmanifold_vertices(cage).size();
-  found.crossing = mesh::self_intersecting_triangles(cage, progress);
-  for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
+  const mesh::Surface split = mesh::split_at_centers(cage).surface;
+  found.crossing = mesh::self_intersecting_triangles(split, progress);
+  for (std::uint32_t t = 0; t < split.triangles.size(); ++t) {
     if (progress) progress->report(1);
-    const mesh::Corners here = mesh::corners_of(cage.positions, cage.triangles[t]);
+    const mesh::Corners here = mesh::corners_of(split.positions, split.triangles[t]);
     if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
   }
   const auto firsts = one_vertex_a_part(positions.size(), triangles);
   const auto places = mesh::picked(positions, firsts);
-  for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);
+  for (const auto i : mesh::points_outside(split, places, &pool)) found.outside.push_back(firsts[i]);
   return found;
 }
 

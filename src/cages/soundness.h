@@ -17,8 +17,8 @@ namespace viete::cages {
 struct Soundness {
   std::size_t open_edges = 0;           ///< edges that do not have two triangles of equal orientation
   std::size_t pinched_vertices = 0;     ///< vertices at which triangles meet without a shared edge
-  std::vector<std::uint32_t> crossing;  ///< cage triangles that intersect other cage triangles
-  std::vector<std::uint32_t> cutting;   ///< cage triangles that intersect the model
+  std::vector<std::uint32_t> crossing;  ///< split triangles that intersect others
+  std::vector<std::uint32_t> cutting;   ///< split triangles that intersect the model
   std::vector<std::uint32_t> outside;   ///< one vertex per component of the model that is outside the cage
 
   bool sound() const {
@@ -26,8 +26,9 @@ struct Soundness {
   }
 };
 
-/// Checks a cage. `positions`, `triangles` and their `tree` belong to the model. Exact, but a model vertex
-/// may be outside by 1e-9 of the cage's diagonal. `progress` may be null. Throws base::Cancelled.
+/// Checks a cage, split as in mesh::CenterSplit. `positions`, `triangles` and their `tree` belong to the
+/// model. Exact, but a model vertex may be outside by 1e-9 of the cage's diagonal. `progress` may be null.
+/// Throws base::Cancelled.
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
                     base::WorkerPool& pool, base::Progress* progress = nullptr);

@@ -200,45 +200,14 @@ std::string listed(const std::vector<std::size_t>& elements) {
   return elements.size() > 5 ? text + ", ..." : text;
 }
 
-Vec3 mean_of(std::span<const std::uint32_t> corners, std::span<const mesh::Point> positions) {
-  const mesh::Point& first = positions[corners[0]];
-  Vec3 sum{0, 0, 0};
-  for (const auto v : corners) sum = sum + (positions[v] - first);
-  return first + (1 / static_cast<double>(corners.size())) * sum;
-}
-
-// Adds triangles around the center or, if they do not cover the polygon, triangles of the polygon.
-void add_triangles(Cage& cage, std::uint32_t polygon) {
-  const auto corners = cage.surface.polygon(polygon);
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    cage.elements.triangles.push_back({a, b, c});
-    cage.elements.triangle_polygon.push_back(polygon);
-  };
-  if (corners.size() == 3) return add(corners[0], corners[1], corners[2]);
-  std::vector<std::uint32_t> ring(corners.begin(), corners.end());
-  std::ranges::rotate(ring, std::ranges::min_element(ring));
-  std::vector<mesh::Point> places = mesh::picked<mesh::Point>(cage.surface.positions, ring);
-  std::vector<mesh::Point> fan{mean_of(corners, cage.surface.positions)};
-  fan.insert(fan.end(), places.begin(), places.end());
-  fan.push_back(places[0]);
-  if (!mesh::is_fan(fan)) {
-    for (const auto& [i, j, k] : mesh::triangulation(places)) add(ring[i], ring[j], ring[k]);
-    return;
-  }
-  const auto center = static_cast<std::uint32_t>(cage.elements.positions.size());
-  for (std::size_t i = 0; i < ring.size(); ++i) add(center, ring[i], ring[(i + 1) % ring.size()]);
-  cage.elements.positions.push_back(fan[0]);
-  cage.split.push_back(polygon);
-}
-
 void split_polygons(Cage& cage) {
-  cage.elements.positions = cage.surface.positions;
-  cage.elements.corners = cage.surface.corners;
-  cage.elements.polygon_starts = cage.surface.polygon_starts;
-  std::vector<std::size_t> repeats;
   const auto repeated = mesh::repeated_polygons(cage.surface);
+  mesh::CenterSplit split = mesh::split_at_centers(cage.surface, repeated);
+  cage.elements = std::move(split.surface);
+  cage.split = std::move(split.polygons);
+  std::vector<std::size_t> repeats;
   for (std::uint32_t p = 0; p < repeated.size(); ++p)
-    repeated[p] ? repeats.push_back(p) : add_triangles(cage, p);
+    if (repeated[p]) repeats.push_back(p);
   if (repeats.empty()) return;
   cage.warnings.push_back(std::to_string(repeats.size()) +
                           (repeats.size() == 1 ? " cage face repeats another face and is ignored: "
@@ -340,9 +309,7 @@ Cage make_cage(mesh::Surface surface) {
 }
 
 std::vector<mesh::Point> with_centers(const Cage& cage, std::span<const mesh::Point> positions) {
-  std::vector<mesh::Point> all(positions.begin(), positions.end());
-  for (const auto p : cage.split) all.push_back(mean_of(cage.surface.polygon(p), positions));
-  return all;
+  return mesh::with_centers(cage.surface, cage.split, positions);
 }
 
 Cage no_cage(const mesh::Bounds& box) {

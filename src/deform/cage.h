@@ -38,11 +38,8 @@ RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangl
 /// The rest cage, with all data that do not depend on the pose.
 struct Cage {
   mesh::Surface surface;  ///< rest positions and polygons
-  /// The elements, as triangles of the polygons of `surface`. A polygon of four or more corners has one
-  /// triangle per side, to its center, which is the mean of its corners. Therefore, no diagonal and no first
-  /// corner matters. A concave polygon that does not surround its center has the triangles of triangulation()
-  /// from its lowest vertex. A polygon that repeats another one has no elements. `positions` are those of
-  /// `surface`, then the centers; see with_centers().
+  /// The elements, as triangles of the polygons of `surface`, see mesh::CenterSplit. A polygon that repeats
+  /// another one has no elements. `positions` are those of `surface`, then the centers; see with_centers().
   mesh::Surface elements;
   std::vector<std::uint32_t> split;      ///< the polygon of each center
   std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if no polygon uses the vertex

@@ -105,8 +105,8 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   restart();
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
-  (space_.coarse() ? model_positions_ : positions_).assign(shape.begin(), shape.end());
-  if (space_.coarse()) positions_ = space_.coarse()->means(shape, pool_);
+  if (space_.coarse()) model_positions_.assign(shape.begin(), shape.end());
+  positions_ = space_.solved(shape, pool_);
   work_.ways.resize(positions_.size());  // makes show() fit rotations to positions_
 }
 

@@ -71,7 +71,9 @@ public:
             base::Progress* progress = nullptr);
 
   const std::vector<double>& weights() const { return weights_; }
-  std::span<const mesh::Point> positions() const { return space_.coarse() ? model_positions_ : positions_; }
+  std::span<const mesh::Point> positions() const {
+    return std::span(space_.coarse() ? model_positions_ : positions_).first(space_.rest().size());
+  }
   /// Sets the weights and the rotation to 0, and the positions to rest.
   void restart();
   /// Restarts from the weights (one per example) and from `shape`, the blend of the examples. Later steps

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
+#include "mesh/triangulation.h"
 
 namespace viete::deform {
 
@@ -247,15 +249,81 @@ private:
   std::vector<double> length_, area_;  // area_ is the area of the half-edge's triangle
 };
 
-}  // namespace
-
-IntrinsicLaplacian intrinsic_laplacian(const mesh::Surface& surface) {
+IntrinsicLaplacian laplacian_of(const mesh::Surface& surface) {
   const std::size_t n = surface.positions.size();
   const auto triangles = mesh::proper_triangles(surface);
   if (triangles.empty()) return {sparse_matrix(n, {}), std::vector<double>(n, 0)};
   IntrinsicTriangles intrinsic(surface.positions, triangles);
   intrinsic.make_delaunay();
   return {intrinsic.stiffness(n), intrinsic.masses(n)};
+}
+
+// Makes triangulations that differ in the first corners of polygons, except for quads with a shorter
+// diagonal.
+class Turner {
+public:
+  explicit Turner(const mesh::Surface& surface) : surface_(surface) {
+    for (std::size_t p = 0; p < surface_.polygon_count(); ++p) {
+      const auto ring = corners(p);
+      if (ring.size() == 3) continue;
+      std::ranges::rotate(ring, std::ranges::min_element(ring));
+      const auto settled = mesh::settled_corner(mesh::picked<mesh::Point>(surface_.positions, ring));
+      if (settled == mesh::none) {
+        unsettled_.push_back(p);
+        count_ = count_ > most ? count_ : std::lcm(count_, ring.size() == 4 ? 2 : ring.size());
+      } else {
+        std::ranges::rotate(ring, ring.begin() + settled);
+      }
+    }
+    if (count_ > most || count_ * surface.corners.size() > most_in_total) count_ = 2;
+  }
+
+  // Returns the number of triangulations in which each first corner occurs equally often; 2 for large models.
+  std::size_t count() const { return count_; }
+
+  // Returns the next triangulation.
+  const mesh::Surface& next() {
+    for (const auto p : unsettled_) std::ranges::rotate(corners(p), corners(p).begin() + 1);
+    mesh::triangulate(surface_);
+    return surface_;
+  }
+
+private:
+  static constexpr std::size_t most = 60, most_in_total = 1'000'000;
+
+  std::span<std::uint32_t> corners(std::size_t p) {
+    return std::span(surface_.corners).subspan(surface_.polygon_starts[p], surface_.polygon(p).size());
+  }
+
+  mesh::Surface surface_;
+  std::vector<std::size_t> unsettled_;  // polygons
+  std::size_t count_ = 1;
+};
+
+}  // namespace
+
+IntrinsicLaplacian intrinsic_laplacian(const mesh::Surface& surface) {
+  if (surface.triangles.size() == surface.polygon_count()) return laplacian_of(surface);
+  Turner turner(surface);
+  if (turner.count() == 1) return laplacian_of(turner.next());
+  IntrinsicLaplacian mean{{}, std::vector<double>(surface.positions.size(), 0)};
+  std::vector<MatrixEntry> entries;
+  const double share = 1 / static_cast<double>(turner.count());
+  double area = 0;
+  for (std::size_t i = 0; i < turner.count(); ++i) {
+    const mesh::Surface& turned = turner.next();
+    const SparseMatrix stiffness = laplacian_of(turned).stiffness;
+    for (std::uint32_t v = 0; v < stiffness.size(); ++v)
+      for_column(stiffness, v, [&](auto row, double value) { entries.push_back({row, v, share * value}); });
+    for (const auto& t : turned.triangles) {
+      const double own = mesh::area(turned.positions, t);
+      area += 3 * own;
+      for (const auto v : t) mean.masses[v] += own;
+    }
+  }
+  for (double& mass : mean.masses) mass = area > 0 ? mass / area : 0;
+  mean.stiffness = sparse_matrix(mean.masses.size(), entries);
+  return mean;
 }
 
 }  // namespace viete::deform

@@ -31,6 +31,10 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
 SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                               std::span<const mesh::Triangle> triangles);
 
+/// Polygons of models with more corners have no center, see mesh::split_unsettled(), because a solve joins
+/// all corners of a polygon with a center.
+inline constexpr std::size_t most_split_corners = 32;
+
 struct IntrinsicLaplacian {
   /// Has the properties of stiffness_matrix(). In addition, no entry off the diagonal is positive.
   SparseMatrix stiffness;
@@ -44,6 +48,10 @@ struct IntrinsicLaplacian {
 /// - Doubles a surface with a boundary, nonmanifold edges or inconsistent orientation (front and back).
 /// - Flips edges within the surface until no weight is negative.
 /// Unlike the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
+///
+/// Returns the mean over triangulations from all corners of the polygons, so that first corners have no
+/// effect and mirrored models have mirrored results. Exceptions are bent polygons with more than four corners
+/// in large models, and flips of edges between bent polygons.
 ///
 /// Omits weights below 1e-10 and ignores triangles that repeat a corner. Works at any length scale, in nearly
 /// linear time. Parts connected by triangles are connected by weights. Thread-safe.

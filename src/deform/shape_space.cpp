@@ -118,23 +118,24 @@ std::optional<CoarseModel> ShapeSpace::coarse_of(const mesh::Surface& rest, base
 
 ShapeSpace::ShapeSpace(const mesh::Surface& rest, std::optional<CoarseModel> coarse,
                        std::span<const Coupling> couplings, base::WorkerPool& pool, base::Progress* progress)
-    : coarse_(std::move(coarse)), triangles_(triangles_of(coarse_ ? coarse_->surface() : rest)), logs_([&] {
+    : rest_(rest.positions),
+      coarse_(std::move(coarse)),
+      split_(mesh::split_unsettled(coarse_ ? coarse_->surface() : rest, most_split_corners)),
+      triangles_(triangles_of(split_.surface)),
+      logs_([&] {
         const base::ProgressPart part(progress, needs_coarse_model(rest) ? coarse_part : 0, 1);
-        const auto& solved = coarse_ ? coarse_->surface() : rest;
+        const auto& solved = split_.surface;
         const std::vector<std::uint32_t> parts(solved.triangles.size(), 0);
         return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1, couplings}, pool,
                         progress);
-      }()) {
-  if (coarse_) rest_ = rest.positions;
-}
+      }()) {}
 
 std::optional<ShapeSpace> ShapeSpace::joined(base::WorkerPool& pool) const {
   if (logs_.parts().count() < 2) return {};
-  mesh::Surface model;
-  if (coarse_) {
-    model.positions = rest_;
-  } else {
-    model = mesh::from_triangles(logs_.rest(), triangles_.corners);
+  mesh::Surface model{rest_, {}, {}, {}, {}, {}};
+  if (!coarse_) {
+    model.corners = split_.surface.corners, model.polygon_starts = split_.surface.polygon_starts;
+    mesh::triangulate(model);
   }
   std::optional<CoarseModel> coarse = coarse_;
   if (!coarse && needs_coarse_model(model)) coarse.emplace(model, pool), coarse->adopt_clusters();
@@ -235,7 +236,7 @@ std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positio
 
 LogVector ShapeSpace::at_rest() const {
   LogVector vector = logs_.at_rest();
-  vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
+  if (coarse_) vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
   return vector;
 }
 
@@ -295,24 +296,30 @@ void ShapeSpace::follow(std::span<const LogTerm> terms, std::span<const mesh::Po
 
 void ShapeSpace::shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool,
                        LogSpace::Work& work, std::span<mesh::Point> positions) const {
-  if (!coarse_) return logs_.shape(terms, held, pool, work, positions);
+  if (!coarse_ && split_.polygons.empty()) return logs_.shape(terms, held, pool, work, positions);
   std::vector<mesh::Point> posed(logs_.rest().size());
   logs_.shape(terms, held, pool, work, posed);
-  follow(terms, posed, pool, positions, first_numbers(rest_.size()));
+  if (coarse_) return follow(terms, posed, pool, positions, first_numbers(rest_.size()));
+  std::copy_n(posed.begin(), positions.size(), positions.begin());
 }
 
 void ShapeSpace::linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
-  if (!coarse_) return logs_.linear(terms, positions);
-  for (std::size_t v = 0; v < rest_.size(); ++v)
-    positions[v] = rest_[v] + summed(terms, &LogVector::fine_ways, v);
+  const auto ways = coarse_ ? &LogVector::fine_ways : &LogVector::ways;
+  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = rest_[v] + summed(terms, ways, v);
+}
+
+std::vector<mesh::Point> ShapeSpace::solved(std::span<const mesh::Point> positions,
+                                            base::WorkerPool& pool) const {
+  if (coarse_) return coarse_->means(positions, pool);
+  return mesh::with_centers(split_.surface, split_.polygons, positions);
 }
 
 LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                              const LogVector* before, ShapeReport* report) const {
   refuse_positions(positions, rest().size());
-  if (!coarse_) return solved_vector(positions, pool, before, report);
-  const std::vector<Vec3> means = coarse_->means(positions, pool);
+  const std::vector<Vec3> means = solved(positions, pool);
   LogVector vector = solved_vector(means, pool, before, report);
+  if (!coarse_) return vector;
   vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
   move_with_clusters(means, first_numbers(rest_.size()), pool,
                      [&](std::size_t v, const Vec3& position, const Mat& rotation) {

@@ -13,7 +13,7 @@
 #include "deform/coarse_model.h"
 #include "deform/log_space.h"
 #include "deform/maps.h"
-#include "mesh/surface.h"
+#include "mesh/triangulation.h"
 
 namespace viete::deform {
 
@@ -45,9 +45,12 @@ public:
   /// Returns nothing if that space would be this one.
   std::optional<ShapeSpace> joined(base::WorkerPool& pool) const;
 
-  /// The log space of the model, or of its coarse model.
+  /// The log space of the coarse model or, without one, of the model's vertices, then the centers of its
+  /// polygons, see mesh::split_unsettled().
   const LogSpace& logs() const { return logs_; }
-  const std::vector<mesh::Point>& rest() const { return coarse_ ? rest_ : logs_.rest(); }
+  const std::vector<mesh::Point>& rest() const { return rest_; }
+  /// Returns the positions of the vertices of logs() for positions of the model's vertices.
+  std::vector<mesh::Point> solved(std::span<const mesh::Point> positions, base::WorkerPool& pool) const;
   LogVector at_rest() const;
   /// Returns the displacement of each vertex of the model.
   const std::vector<Vec3>& ways(const LogVector& v) const { return coarse_ ? v.fine_ways : v.ways; }
@@ -101,8 +104,9 @@ private:
   void move_with_clusters(std::span<const mesh::Point> posed, std::span<const std::uint32_t> vertices,
                           base::WorkerPool& pool, const Use& use) const;
 
-  std::vector<mesh::Point> rest_;      // of the model, if it has a coarse model
+  std::vector<mesh::Point> rest_;
   std::optional<CoarseModel> coarse_;  // the other members are of this model
+  mesh::CenterSplit split_;
   Triangles triangles_;
   LogSpace logs_;
 };

@@ -117,17 +117,20 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
       pool_(pool),
       loads_(3 * stitching_.triangles.size()),
       pin_targets_(stitching_.pins.size()),
-      right_(stitching_.vertices()),
-      positions_(stitching_.vertices()) {
+      right_(stitching_.factors.size()),
+      positions_(stitching_.factors.size()) {
   assert(form == RowForm::logs || form == RowForm::maps);
 }
 
 void Stitcher::set_shares(const Shares& shares) {
-  pin_shares_ = picked(std::span(shares), vertices_of(stitching_.pins));
+  const auto all = stitching_.with_centers(std::span(shares));
+  pin_shares_ = picked(std::span(all), vertices_of(stitching_.pins));
 }
 
-void Stitcher::set_shape(std::span<const Vec3> ways) {
+void Stitcher::set_shape(std::span<const Vec3> of_vertices) {
   const Stitching& s = stitching_;
+  const std::vector<Vec3> all = s.with_centers(of_vertices);
+  const std::span<const Vec3> ways(all);
   shaped_gradients_.clear();
   pin_ways_ = picked(ways, vertices_of(s.pins));
   if (ways.empty()) return;
@@ -146,7 +149,9 @@ void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<con
   base::Stopwatch watch;
   loads_ms_ = solve_ms_ = 0;
   place_pins(rows, method);
-  load_blended(sums, method, iterations > 1);
+  const bool has_centers = stitching_.vertices() < positions_.size();
+  const auto all = has_centers ? stitching_.with_centers(sums, rows.columns()) : std::vector<double>();
+  load_blended(has_centers ? std::span(all) : sums, method, iterations > 1);
   loads_ms_ += watch.lap_ms();
   solve(held);
   solve_ms_ += watch.lap_ms();

@@ -37,7 +37,7 @@ public:
            int iterations);
 
   /// Positions relative to the rows' origin.
-  std::span<const Vec3> positions() const { return positions_; }
+  std::span<const Vec3> positions() const { return std::span(positions_).first(stitching_.vertices()); }
   /// Wall times of the last frame in milliseconds.
   double loads_ms() const { return loads_ms_; }  ///< for triangles' maps and the terms M * g
   double solve_ms() const { return solve_ms_; }

@@ -16,6 +16,7 @@
 #include "deform/staged_engine.h"
 #include "mesh/point_index.h"
 #include "mesh/triangle.h"
+#include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 
 namespace viete::deform {
@@ -32,7 +33,12 @@ class StitchMaker {
 public:
   StitchMaker(const mesh::Surface& model, const Cage& cage, const Holding& holding, base::WorkerPool& pool,
               base::Progress* progress)
-      : model_(model), cage_(cage), holding_(holding), pool_(pool), progress_(progress) {}
+      : original_(model),
+        split_(mesh::split_unsettled(model, most_split_corners)),
+        cage_(cage),
+        holding_(holding),
+        pool_(pool),
+        progress_(progress) {}
 
   Stitching make() {
     find_thin();
@@ -42,6 +48,7 @@ public:
     SparseMatrix matrix = with_couplings(stiffness_matrix(model_.positions, model_.triangles), couplings_);
     add_diagonal(matrix);
     Stitching s{holding_,
+                rings(),
                 {},
                 {},
                 {},
@@ -58,6 +65,16 @@ public:
   }
 
 private:
+  mesh::Adjacency rings() const {
+    mesh::Adjacency rings{{0}, {}};
+    for (const auto polygon : split_.polygons) {
+      const auto ring = original_.polygon(polygon);
+      rings.items.insert(rings.items.end(), ring.begin(), ring.end());
+      rings.starts.push_back(static_cast<std::uint32_t>(rings.items.size()));
+    }
+    return rings;
+  }
+
   void find_thin() {
     const auto& p = model_.positions;
     thin_.resize(model_.triangles.size());
@@ -68,8 +85,8 @@ private:
   }
 
   void find_couplings() {
-    couplings_ = vertex_couplings(model_, pool_);
-    const auto lowest = mesh::lowest_in_place(model_.positions);
+    couplings_ = vertex_couplings(original_, pool_);
+    const auto lowest = mesh::lowest_in_place(original_.positions);
     for (std::uint32_t v = 0; v < lowest.size(); ++v) {
       const auto w = lowest[v];
       if (w != v) couplings_.push_back({v, {w, w, w}, {1, 0, 0}, most_strength});
@@ -148,7 +165,7 @@ private:
       parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
     }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;
-    for (std::uint32_t v = 0; v < n; ++v) {
+    for (std::uint32_t v = 0; v < original_.positions.size(); ++v) {
       double weight = holding_.weight;
       if (!firm[v]) {
         weight += hold_of_loose_vertex;
@@ -221,7 +238,9 @@ private:
     b.rest = std::make_shared<const std::vector<mesh::Point>>(std::move(rest));
   }
 
-  const mesh::Surface& model_;
+  const mesh::Surface& original_;
+  const mesh::CenterSplit split_;
+  const mesh::Surface& model_ = split_.surface;
   const Cage& cage_;
   Holding holding_;
   base::WorkerPool& pool_;

@@ -34,6 +34,10 @@ inline constexpr double pin_strength = 0.03;
 /// is stored as triangle (a, b, b). Parts without a pin have a hold with weight 1e-4 at each vertex. A vertex
 /// with only thin triangles (see half_cotangents()), or without triangles, has a hold with weight 1.
 ///
+/// The triangles are those of mesh::split_unsettled(). The centers of polygons are further vertices, whose
+/// blended values are the means of those of the polygons' corners. Polygons have at most most_split_corners
+/// corners.
+///
 /// If needs_coarse_model(), the coarse model is stitched. Its displacements from the means of the blended
 /// positions are interpolated.
 ///
@@ -49,7 +53,8 @@ struct Stitching {
   };
 
   Holding holding;
-  std::vector<std::uint32_t> order;       ///< all vertices, ordered for locality
+  mesh::Adjacency rings;                  ///< the corners of each polygon with a center
+  std::vector<std::uint32_t> order;       ///< all vertices, then centers, ordered for locality
   std::vector<mesh::Triangle> triangles;  ///< all proper triangles, in the order of vertices; then couplings
   /// For each triangle, the index of the triangle that provides the fitted rotation: the triangle itself or,
   /// for a coupling, a neighbouring triangle, because a line does not determine a rotation.
@@ -66,7 +71,22 @@ struct Stitching {
   std::shared_ptr<const CoarseModel> coarse{};  ///< null if the model itself is stitched
   std::shared_ptr<const Binding> bound{};       ///< binding of the coarse model
 
-  std::size_t vertices() const { return factors.size(); }
+  /// Returns the number of the model's vertices, without the centers.
+  std::size_t vertices() const { return factors.size() - rings.starts.size() + 1; }
+  /// Adds the values of the centers to values of the vertices. Each vertex has `columns` values.
+  template <class T>
+  std::vector<T> with_centers(std::span<const T> values, std::size_t columns = 1) const {
+    std::vector<T> all(values.begin(), values.end());
+    for (std::size_t i = 0; !values.empty() && i + 1 < rings.starts.size(); ++i) {
+      const double share = 1 / static_cast<double>(rings.of(i).size());
+      for (std::size_t k = 0; k < columns; ++k) {
+        T mean{};
+        for (const auto v : rings.of(i)) mean = mean + share * values[v * columns + k];
+        all.push_back(mean);
+      }
+    }
+    return all;
+  }
   bool serves(const Scheme& scheme) const {
     return holding == scheme.holding && (!bound || bound->weighting == scheme.weighting);
   }

@@ -13,6 +13,7 @@
 #include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
+#include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 
 namespace viete::deform {
@@ -225,7 +226,7 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage* cage, Element
                            std::size_t target, base::WorkerPool& pool, base::Progress* progress)
     : model_(model) {
   const auto place = mesh::lowest_in_place(model.positions);
-  for (auto t : model.triangles) {
+  for (auto t : mesh::split_unsettled(model, 0).surface.triangles) {  // from the lowest vertices
     for (auto& v : t) v = place[v];
     if (!mesh::repeats_corner(t)) triangles_.push_back(t);
   }

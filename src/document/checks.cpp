@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "mesh/defects.h"
 #include "mesh/repair.h"
+#include "mesh/triangulation.h"
 #include "mesh/winding_number.h"
 
 namespace viete::document {
@@ -133,14 +134,15 @@ std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary
 std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress) {
   constexpr double thin = 1e-3;
   std::vector<Finding> found;
+  const auto repeated = mesh::repeated_polygons(cage);
+  const mesh::Surface split = mesh::split_at_centers(cage, repeated).surface;
   add(found, Defect::self_intersection, Subject::cage, ElementKind::face,
-      faces_of(cage, mesh::self_intersecting_triangles(cage, progress)));
+      faces_of(split, mesh::self_intersecting_triangles(split, progress)));
   const mesh::Surface joined = mesh::welded(cage);
   const mesh::Summary summary = mesh::summarize(joined);
   check_edges(found, joined, summary, Subject::cage);
   add(found, Defect::thin, Subject::cage, ElementKind::face,
-      faces_of(cage, mesh::thin_triangles(cage, thin)));
-  const auto repeated = mesh::repeated_polygons(cage);
+      faces_of(split, mesh::thin_triangles(split, thin)));
   Elements repeats;
   for (std::uint32_t p = 0; p < repeated.size(); ++p)
     if (repeated[p]) repeats.push_back(p);
@@ -157,7 +159,9 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
 
 std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
                                        base::Progress* progress) {
-  const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
+  const auto repeated = mesh::repeated_polygons(cage);
+  const mesh::Surface split = mesh::split_at_centers(cage, repeated).surface;
+  const mesh::Surface around = mesh::consistently_oriented(mesh::welded(split));
   Elements outside = mesh::points_outside(around, model.positions, nullptr, progress);
   if (outside.empty()) return std::nullopt;
   return Finding{Defect::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};

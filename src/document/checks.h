@@ -53,8 +53,9 @@ std::string first_elements(const Finding& finding, std::size_t most);
 std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface,
                                        std::size_t element);
 
-/// Check one surface. `summary` must belong to `model`. check_cage() merges cage vertices at equal positions
-/// first, as the deformation does. `progress` may be null. check_cage() throws base::Cancelled. Thread-safe.
+/// Check one surface. `summary` must belong to `model`. As the deformation does, cages are split as in
+/// mesh::CenterSplit, and check_cage() merges cage vertices at equal positions first. `progress` may be null.
+/// check_cage() throws base::Cancelled. Thread-safe.
 std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary);
 std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress = nullptr);
 /// Finds the model vertices outside the cage. If there are none, returns nullopt. Ignores face orientations.

@@ -16,6 +16,7 @@
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
 #include "mesh/repair.h"
+#include "mesh/triangulation.h"
 #include "mesh/vertex_order.h"
 #include "mesh/winding_number.h"
 
@@ -41,7 +42,7 @@ Outside outside(const mesh::Surface& outer, const mesh::Surface& inner) {
   std::vector<mesh::Point> sample;
   const std::size_t n = std::min(samples, points.size());
   for (std::size_t i = 0; i < n; ++i) sample.push_back(points[i * points.size() / n]);
-  return {mesh::points_outside(outer, sample).size(), n};
+  return {mesh::points_outside(mesh::split_at_centers(outer).surface, sample).size(), n};
 }
 
 bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {

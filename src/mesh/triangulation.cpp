@@ -360,4 +360,71 @@ void triangulate(Surface& surface) {
   });
 }
 
+namespace {
+
+Point mean_of(std::span<const std::uint32_t> corners, std::span<const Point> positions) {
+  const Point& first = positions[corners[0]];
+  Vec3 sum{0, 0, 0};
+  for (const auto v : corners) sum = sum + (positions[v] - first);
+  return first + (1 / static_cast<double>(corners.size())) * sum;
+}
+
+// Adds triangles around the center or, if they do not cover the polygon, triangles of the polygon.
+void split_polygon(std::uint32_t polygon, std::size_t most, bool at_diagonals, CenterSplit& split) {
+  const auto corners = split.surface.polygon(polygon);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    split.surface.triangles.push_back({a, b, c});
+    split.surface.triangle_polygon.push_back(polygon);
+  };
+  if (corners.size() == 3) return add(corners[0], corners[1], corners[2]);
+  std::vector<std::uint32_t> ring(corners.begin(), corners.end());
+  std::ranges::rotate(ring, std::ranges::min_element(ring));
+  const auto places = picked<Point>(split.surface.positions, ring);
+  if (const auto i = at_diagonals ? settled_corner(places) : none; i != none)
+    return add(ring[i], ring[i + 1], ring[i + 2]), add(ring[i], ring[i + 2], ring[(i + 3) % 4]);
+  std::vector<Point> fan{mean_of(ring, split.surface.positions)};
+  fan.insert(fan.end(), places.begin(), places.end());
+  fan.push_back(places[0]);
+  if (ring.size() > most || !is_fan(fan)) {
+    for (const auto& [i, j, k] : triangulation(places)) add(ring[i], ring[j], ring[k]);
+    return;
+  }
+  const auto center = static_cast<std::uint32_t>(split.surface.positions.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) add(center, ring[i], ring[(i + 1) % ring.size()]);
+  split.surface.positions.push_back(fan[0]);
+  split.polygons.push_back(polygon);
+}
+
+}  // namespace
+
+CenterSplit split_at_centers(const Surface& surface, std::span<const std::uint8_t> skipped) {
+  CenterSplit split{{surface.positions, surface.corners, surface.polygon_starts, {}, {}, {}}, {}};
+  for (std::uint32_t p = 0; p < surface.polygon_count(); ++p)
+    if (skipped.empty() || !skipped[p]) split_polygon(p, none, false, split);
+  return split;
+}
+
+CenterSplit split_unsettled(const Surface& surface, std::size_t most) {
+  CenterSplit split{{surface.positions, surface.corners, surface.polygon_starts, {}, {}, {}}, {}};
+  for (std::uint32_t p = 0; p < surface.polygon_count(); ++p) split_polygon(p, most, true, split);
+  return split;
+}
+
+std::uint32_t settled_corner(std::span<const Point> corners) {
+  if (corners.size() != 4) return none;
+  const std::array others{corners[1], corners[2], corners[3], corners[0]};
+  const bool covers = is_fan(corners);
+  if (covers != is_fan(others)) return covers ? 0 : 1;
+  const double one = squared_norm(corners[2] - corners[0]), other = squared_norm(corners[3] - corners[1]);
+  if (std::abs(one - other) <= 2e-6 * std::max(one, other)) return none;
+  return one < other ? 0 : 1;
+}
+
+std::vector<Point> with_centers(const Surface& surface, std::span<const std::uint32_t> polygons,
+                                std::span<const Point> positions) {
+  std::vector<Point> all(positions.begin(), positions.end());
+  for (const auto p : polygons) all.push_back(mean_of(surface.polygon(p), positions));
+  return all;
+}
+
 }  // namespace viete::mesh

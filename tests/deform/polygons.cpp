@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "deform/bound.h"
+#include "deform/shape_space.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
@@ -95,6 +97,132 @@ TEST_CASE("no_deformer_depends_on_the_first_corners_or_the_order_of_the_cages_fa
       const auto one = deformed(model, cage, pose, scheme);
       CHECK(largest_distance(one, deformed(model, other, pose, scheme)) < 1e-12);
       CHECK((scheme.weighting.partial() || largest_distance(one, model.positions) > 0.05));
+    }
+  }
+}
+
+// Returns the dual of a surface of triangles: one polygon per vertex.
+mesh::Surface dual(const mesh::Surface& s) {
+  std::vector<mesh::Point> centers;
+  std::vector<std::map<std::uint32_t, std::array<std::uint32_t, 2>>> steps(s.positions.size());
+  for (const auto& t : s.triangles) {
+    for (std::size_t k = 0; k < 3; ++k)  // around t[k], the triangle leads from one neighbour to the next
+      steps[t[k]][t[(k + 1) % 3]] = {t[(k + 2) % 3], static_cast<std::uint32_t>(centers.size())};
+    centers.push_back(s.positions[t[0]] + s.positions[t[1]] + s.positions[t[2]]);
+  }
+  Faces faces;
+  for (const auto& step : steps) {
+    auto& face = faces.emplace_back();
+    for (auto at = step.begin()->first; face.size() < step.size(); at = step.at(at)[0])
+      face.push_back(step.at(at)[1]);
+  }
+  return polygons(std::move(centers), faces);
+}
+
+mesh::Surface in_quads(const mesh::Surface& s) {
+  auto positions = s.positions;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [at, added] =
+        middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(positions.size()));
+    if (added) positions.push_back(s.positions[a] + s.positions[b]);
+    return at->second;
+  };
+  Faces quads;
+  for (const auto& face : faces_of(s)) {
+    const auto center = static_cast<std::uint32_t>(positions.size());
+    positions.push_back({0, 0, 0});
+    for (std::size_t i = 0, n = face.size(); i < n; ++i) {
+      positions[center] = positions[center] + s.positions[face[i]];
+      quads.push_back(
+          {face[i], middle(face[i], face[(i + 1) % n]), center, middle(face[i], face[(i + n - 1) % n])});
+    }
+  }
+  return polygons(std::move(positions), quads);
+}
+
+// Models of bent polygons that are symmetric in x: of 4 and 6 corners; of 5 and 6 corners; of quads.
+std::vector<mesh::Surface> polygon_models() {
+  const double g = (1 + std::sqrt(5.0)) / 2;
+  const mesh::Surface icosahedron =
+      sphere_from({{-1, g, 0},
+                   {1, g, 0},
+                   {-1, -g, 0},
+                   {1, -g, 0},
+                   {0, -1, g},
+                   {0, 1, g},
+                   {0, -1, -g},
+                   {0, 1, -g},
+                   {g, 0, -1},
+                   {g, 0, 1},
+                   {-g, 0, -1},
+                   {-g, 0, 1}},
+                  {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                   {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}},
+                  1);
+  std::vector<mesh::Surface> models{dual(test::sphere(1)), dual(icosahedron),
+                                    in_quads(dual(test::sphere(1)))};
+  for (auto& model : models) {
+    for (auto& p : model.positions) {
+      p = (1 / norm(p)) * p;
+      p = {p[0] * (1 + 0.2 * p[1]), p[1] + 0.1 * p[2] * p[0] * p[0], p[2] * (1 + 0.2 * p[1])};
+    }
+    mesh::triangulate(model);
+  }
+  return models;
+}
+
+// Returns the shape halfway between the model and a bent shape.
+std::vector<mesh::Point> halfway(const mesh::Surface& model) {
+  const auto bent = mapped(model.positions, [](const Vec3& p) {
+    const double a = 1.2 * p[2];
+    return Vec3{p[0] * std::exp(0.3 * p[1]), std::cos(a) * p[1] - std::sin(a) * p[2],
+                std::sin(a) * p[1] + std::cos(a) * p[2]};
+  });
+  base::WorkerPool pool(1);
+  const ShapeSpace space(model, pool);
+  const LogVector from = space.vector(model.positions, pool), to = space.vector(bent, pool);
+  const LogTerm terms[] = {{&from, 0.5}, {&to, 0.5}};
+  LogSpace::Work work;
+  std::vector<mesh::Point> half(bent.size());
+  space.shape(terms, space.logs().held_between(from, to), pool, work, half);
+  return half;
+}
+
+TEST_CASE("models_of_bent_polygons_deform_symmetrically_whatever_their_first_corners_and_their_order") {
+  const mesh::Surface cage = moved(test::cube(), 1.5);
+  const auto pose = mapped(cage.positions, [](const Vec3& p) {
+    return Vec3{p[0] * (1 + 0.3 * p[1]), p[1] + 0.4 * p[2] * p[2] * p[1], p[2] + 0.5 * p[0] * p[0]};
+  });
+  const auto image = [](const Vec3& p) { return Vec3{-p[0], p[1], p[2]}; };
+  for (const mesh::Surface& model : polygon_models()) {
+    CAPTURE(model.polygon_count());
+    std::vector<std::size_t> mirrored;
+    for (const auto& p : model.positions) {
+      const auto distance = [&](const Vec3& q) { return norm(q - image(p)); };
+      const auto nearest = std::ranges::min_element(model.positions, {}, distance);
+      REQUIRE(distance(*nearest) < 1e-14);
+      mirrored.push_back(static_cast<std::size_t>(nearest - model.positions.begin()));
+    }
+    auto faces = faces_of(model);
+    std::ranges::reverse(faces);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      std::ranges::rotate(faces[f], faces[f].begin() + 1 + static_cast<std::ptrdiff_t>(f % 3));
+    const mesh::Surface other = polygons(model.positions, faces);
+    const auto check = [&](const auto& shape) {
+      const std::vector<mesh::Point> there = shape(model);
+      std::vector<mesh::Point> images;
+      for (const auto v : mirrored) images.push_back(image(there[v]));
+      CHECK(largest_distance(there, images) < 1e-12);
+      CHECK(largest_distance(there, shape(other)) < 1e-12);
+    };
+    check(halfway);
+    auto schemes = every_scheme();
+    schemes.push_back(scheme_of(Way::arap)), schemes.back().iterations = 3;
+    for (const Scheme& scheme : schemes) {
+      CAPTURE(text(scheme));
+      check([&](const mesh::Surface& s) { return deformed(s, cage, pose, scheme); });
     }
   }
 }

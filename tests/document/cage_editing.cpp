@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "document/checks.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "mesh/summary.h"
@@ -12,6 +13,7 @@
 #include "support/cube.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "support/shapes.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -203,6 +205,38 @@ TEST_CASE("a_cage_of_another_size_and_place_is_fitted_and_one_that_is_too_tight_
     REQUIRE_FALSE(mesh::points_outside(tight, document.model().surface->positions).empty());
     CHECK(enclose_model(document) == 0);
     CHECK(mesh::points_outside(document.cage()->surface, document.model().surface->positions).empty());
+  }
+}
+
+TEST_CASE("checks_and_enclosing_judge_the_surface_that_deforms") {
+  // A cube with bent quads. Any diagonals put the surface farther in or out than the centers.
+  Document document(generated_surface(test::moved(test::sphere(4), 1.15), "ball"));
+  mesh::Surface bent = test::cube();
+  for (const std::size_t v : {0, 3, 5, 6}) bent.positions[v] = 1.6 * bent.positions[v];
+  const mesh::Surface& model = *document.model().surface;
+  const auto outside = [&] {
+    const auto found = check_enclosure(document.cage()->surface, model);
+    const auto there = mesh::points_outside(document.cage()->elements, model.positions);
+    CHECK((found ? found->elements : std::vector<std::uint32_t>{}) == there);
+    return there.size();
+  };
+  for (const auto v : {0u, 1u}) {  // both diagonals of all quads
+    for (std::size_t q = 0; q < bent.polygon_count(); ++q) {
+      const auto corners = std::span(bent.corners).subspan(4 * q, 4);
+      while (corners[v] != 0 && corners[v] != 3 && corners[v] != 5 && corners[v] != 6)
+        std::ranges::rotate(corners, corners.begin() + 1);
+    }
+    set_cage(document, generated_surface(bent, "bent"));
+    CHECK(outside() == 0);
+  }
+  for (auto& p : bent.positions) p = 0.85 * p;
+  set_cage(document, generated_surface(bent, "tight"));
+  CHECK(outside() > 0);
+  for (int edits = 0; edits < 2; ++edits) {
+    CHECK(enclose_model(document) == 0);
+    CHECK(outside() == 0);
+    subdivide_cage(document);  // divides bent quads, which moves the surface
+    outside();
   }
 }
 
