@@ -283,10 +283,13 @@ void SideModel::forget() {
 
 bool SideModel::is_due(const workspace::SplitView& side, const workspace::Workspace& w,
                        const LiveModel& first) const {
-  if (!first.bound().binding || changes_rest(w)) return false;
-  const Made wanted = made_of(side, w);
-  return binder_.has_result() ||
-         (made_ != wanted && refused_ != wanted.need && !binder_.running() && first.ran());
+  return first.bound().binding && !changes_rest(w) &&
+         (binder_.has_result() || lacks(made_of(side, w), first));
+}
+
+// True if another frame, or the binding that it needs, must be computed.
+bool SideModel::lacks(const Made& wanted, const LiveModel& first) const {
+  return made_ != wanted && refused_ != wanted.need && !binder_.running() && first.ran();
 }
 
 bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, const LiveModel& first,
@@ -309,8 +312,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
     if (asked_ == need && !serves(need)) refused_ = need;  // binding has failed: does not try again
   }
   side.binding = binder_.running();
-  const bool due = made_ != wanted && refused_ != need && !side.binding && !changes_rest(w);
-  if (!due || !first.ran()) return false;
+  if (changes_rest(w) || !lacks(wanted, first)) return false;
   const bool same_weights = bound_.binding->weighting == need.scheme.weighting;
   if (!serves(need) && same_weights) make_deformer(need.scheme, pool);
   if (!serves(need)) {

@@ -239,6 +239,7 @@ private:
   };
   static Made made_of(const workspace::SplitView& view, const workspace::Workspace& workspace);
   bool serves(const Need& need) const;
+  bool lacks(const Made& wanted, const LiveModel& first) const;
 
   std::optional<Made> made_;     // input of the last frame
   Need asked_;                   // input of the running binding
