@@ -62,7 +62,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   CageGroups groups = carried(document.groups(), document.cage()->surface.positions.size(), origins);
   const ElementKind kind = document.selection().kind();
   OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file()));
-  if (editing) document.changed_kept_pose() = real;
+  if (editing) document.changed_source().kept = real;
   document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
   document.changed_groups() = std::move(groups);
   if (kind == ElementKind::probe) return;
@@ -97,14 +97,15 @@ void require(bool any, const char* what, const char* advice) {
 
 void begin_cage_editing(Document& document) {
   record_edit(document, "edit cage");
-  document.changed_kept_pose() = std::exchange(document.changed_pose(), deform::rest_pose(*document.cage()));
+  document.changed_source().kept =
+      std::exchange(document.changed_pose(), deform::rest_pose(*document.cage()));
   if (document.selection().kind() == ElementKind::probe)
     document.changed_selection() = Selection(ElementKind::vertex);
 }
 
 void end_cage_editing(Document& document) {
   record_edit(document, "stop editing cage");
-  document.changed_pose() = *std::exchange(document.changed_kept_pose(), std::nullopt);
+  document.changed_pose() = *std::exchange(document.changed_source().kept, std::nullopt);
 }
 
 bool has_moved_rest(const Document& document) {

@@ -34,7 +34,7 @@ void put_generated(Document& document, CageMaking& making, OpenedSurface surface
                           "; undo restores them");
   if (const std::string lost = drop_poses(document, *cage); !lost.empty())
     making.lost.push_back("Poses of the previous cage were removed: " + lost + "; undo restores them");
-  document.changed_kept_pose().reset();
+  document.changed_source() = {};
   document.replace_cage(std::move(surface), std::move(cage), std::move(pose));
 }
 

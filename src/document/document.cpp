@@ -59,8 +59,7 @@ void check_sizes(const Document& document, const SizeRange& range) {
     check_pose("the pose " + formats::in_quotes(named.name), *named.pose, range);
   check_keys("the key at frame ", document.timeline().keys);
   check_keys("the unkeyed pose at frame ", document.timeline().unkeyed);
-  if (document.library().unmixed)
-    check_pose("the pose without weighted poses", *document.library().unmixed, range);
+  if (document.source().base) check_pose("the pose without weighted poses", *document.source().base, range);
   if (document.shape()) check_pose("the shape of the model", *document.shape(), range);
   if (document.cage_file().surface)
     check_pose("the pose of " + place_of(document.cage_file()), document.pose().positions, range);

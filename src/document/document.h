@@ -68,7 +68,9 @@ public:
   const OpenedSurface& cage_file() const { return state_.cage_file; }
   const deform::Pose& pose() const { return state_.pose; }
   const SharedShape& shape() const { return state_.shape; }
-  const std::optional<deform::Pose>& kept_pose() const { return state_.kept_pose; }
+  /// See source_of().
+  const PoseSource& source() const { return state_.source; }
+  const std::optional<deform::Pose>& kept_pose() const { return state_.source.kept; }
   const deform::Scheme& scheme() const { return state_.scheme; }
   const deform::Mask& mask() const { return state_.mask; }
   const deform::Probes& probes() const { return state_.probes; }
@@ -104,7 +106,7 @@ public:
   deform::Pose& changed_pose() { return ++revisions_.pose, state_.pose; }
   deform::Probes& changed_probes() { return ++revisions_.pose, state_.probes; }
   /// Give write access to what no revision counts.
-  std::optional<deform::Pose>& changed_kept_pose() { return state_.kept_pose; }
+  PoseSource& changed_source() { return state_.source; }
   Selection& changed_selection() { return state_.selection; }
   CageGroups& changed_groups() { return state_.groups; }
   PoseLibrary& changed_library() { return state_.library; }
@@ -180,7 +182,7 @@ struct RequestedSettings : deform::AskedScheme {
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 /// True during cage editing (cage_editing.h). During cage editing, document.pose is the rest shape that the
-/// user edits, and document.kept_pose is the cage's pose.
+/// user edits, and document.kept_pose() is the cage's pose.
 inline bool is_editing_cage(const Document& document) {
   return document.kept_pose().has_value();
 }

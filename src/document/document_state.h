@@ -36,18 +36,32 @@ struct NamedShape {
   SharedShape shape;  ///< never null
 };
 
-/// The named poses, in the order of the user's list. The document's pose is `unmixed` plus the weighted
-/// poses. The sum is linear if Timeline::linear is true, otherwise in log space.
+/// The named poses, in the order of the user's list.
 struct PoseLibrary {
   static constexpr double least_weight = -2, largest_weight = 3;
   static constexpr std::size_t most_poses = 1000, longest_name = 200;
 
   std::vector<NamedPose> poses;
-  SharedPose unmixed{};  ///< the pose without the mix; null if unknown or if all weights are 0
-  SharedPose mixed{};    ///< the document's pose right after the last change of the mix
 
+  /// True if a weight is not 0.
   bool mixes() const;
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
+};
+
+/// The source of the shown pose. A later edit of the pose does not change this value: see source_of().
+struct PoseSource {
+  enum class Kind {
+    edited,  ///< edits of the cage, the probes or the shape
+    frame,   ///< the keys of the timeline, at the current frame
+    mix,     ///< `base` plus the weighted named poses; linearly if Timeline::linear, otherwise in log space
+    pins,    ///< pin posing
+    rest     ///< cage editing, which shows the cage at rest
+  };
+  Kind kind = Kind::edited;
+  SharedPose pose{};                   ///< the pose that the source has computed; null for `edited`
+  SharedPose base{};                   ///< of a mix: the pose without the weighted poses; null if unknown
+  bool keyed = false;                  ///< the keys give this pose at the current frame, too
+  std::optional<deform::Pose> kept{};  ///< during cage editing, the cage's pose, which is not shown
 };
 
 /// A term of blended_probes(): the poses of all probes, and their factor. Missing probes are at rest.
@@ -95,8 +109,8 @@ struct DocumentState {
   std::shared_ptr<const deform::Cage> cage;  ///< null without a cage
   OpenedSurface cage_file;                   ///< its surface is null without a cage
   deform::Pose pose;
-  SharedShape shape;                      ///< the model's shape before cage and probes act; null at rest
-  std::optional<deform::Pose> kept_pose;  ///< during cage editing, the cage's pose; otherwise nullopt
+  SharedShape shape;  ///< the model's shape before cage and probes act; null at rest
+  PoseSource source;
   deform::Scheme scheme = deform::default_scheme();
   deform::Mask mask;  ///< one value per model vertex; if null, every vertex follows the cage
   deform::Probes probes;

@@ -35,10 +35,10 @@ std::vector<double> weights_of(const Document& document, std::span<const SharedP
 
 // True if the shape is the weighted sum of the examples.
 bool is_mix(const Document& document) {
-  const PoseLibrary& library = document.library();
-  if (!library.mixes()) return !document.shape();
-  return library.mixed && library.unmixed && !library.unmixed->shape &&
-         same_shape(library.mixed->shape, document.shape());
+  const PoseSource& source = document.source();
+  if (!document.library().mixes()) return !document.shape();
+  return source.kind == PoseSource::Kind::mix && source.base && !source.base->shape &&
+         same_shape(source.pose->shape, document.shape());
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ void PinPosing::show(Document& document) {
   for (std::size_t e = 0; e < examples_.size(); ++e)
     std::ranges::find(library.poses, examples_[e], &NamedPose::pose)->weight =
         std::clamp(posing_->weights()[e], PoseLibrary::least_weight, PoseLibrary::largest_weight);
-  library.unmixed = library.mixed = nullptr;
+  document.changed_source() = {PoseSource::Kind::pins, shared_pose(document)};
 }
 
 }  // namespace viete::document

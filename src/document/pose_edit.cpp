@@ -129,10 +129,8 @@ bool remix(Document& document, VectorCache& vectors, const std::string& label, C
   record_step(document, label, step, step.kind == EditKind::mix);
   document.changed_library() = std::move(changed.library);
   document.changed_timeline() = std::move(changed.timeline);
-  put_whole_pose(document, *pose);
   const bool mixes = document.library().mixes();
-  document.changed_library().unmixed = mixes ? base : nullptr;
-  document.changed_library().mixed = mixes ? shared_pose(document) : nullptr;
+  show_pose(document, *pose, mixes ? PoseSource::Kind::mix : PoseSource::Kind::edited, base);
   return true;
 }
 
@@ -157,16 +155,34 @@ SharedPose shared_pose(const Document& document) {
   return std::make_shared<const WholePose>(whole_pose(document));
 }
 
-void put_whole_pose(Document& document, const WholePose& pose) {
+bool shows(const Document& document, const WholePose& pose) {
+  if (document.has_cage() && !same_pose(pose.cage, real_pose(document))) return false;
+  if (!same_shape(pose.shape, document.shape())) return false;
+  const auto& probes = document.probes().all;
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == pose.probe(i))) return false;
+  return true;
+}
+
+PoseSource::Kind source_of(const Document& document) {
+  const PoseSource& source = document.source();
+  if (source.kept) return PoseSource::Kind::rest;
+  return source.pose && shows(document, *source.pose) ? source.kind : PoseSource::Kind::edited;
+}
+
+void show_pose(Document& document, const WholePose& pose, PoseSource::Kind kind, SharedPose base) {
+  if (kind != PoseSource::Kind::mix) end_mix(document);
   document.put_shape(pose.shape);
-  if (document.has_cage()) {
-    document.changed_kept_pose().reset();
-    document.changed_pose() = pose.cage;
-  }
+  if (document.has_cage()) document.changed_pose() = pose.cage;
   auto& probes = document.changed_probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
     if (!probes[i].locked) probes[i].pose = pose.probe(i);
   move_pins_to_shape(document);
+  document.changed_source() = {kind};
+  if (kind == PoseSource::Kind::edited) return;
+  document.changed_source().pose = shared_pose(document);
+  document.changed_source().base = std::move(base);
+  document.changed_source().keyed = kind == PoseSource::Kind::frame;
 }
 
 void move_pins_to_shape(Document& document) {
@@ -174,18 +190,27 @@ void move_pins_to_shape(Document& document) {
     if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
 }
 
+namespace {
+
+// Afterwards, the pose is not known as a mix.
+void forget_base(Document& document) {
+  PoseSource& source = document.changed_source();
+  source.base = nullptr;
+  if (source.kind == PoseSource::Kind::mix)
+    source.kind = source.keyed ? PoseSource::Kind::frame : PoseSource::Kind::edited;
+}
+
+}  // namespace
+
 void end_mix(Document& document) {
   for (NamedPose& named : document.changed_library().poses) named.weight = 0;
-  document.changed_library().unmixed = document.changed_library().mixed = nullptr;
+  forget_base(document);
 }
 
 SharedPose unmixed_pose(const Document& document) {
-  const PoseLibrary& library = document.library();
-  if (!library.mixes() || !library.mixed || !library.unmixed) return nullptr;
-  const WholePose now = whole_pose(document);
-  const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes &&
-                    same_shape(library.mixed->shape, now.shape);
-  return same ? library.unmixed : nullptr;
+  const PoseSource& source = document.source();
+  const bool mixed = document.library().mixes() && source.kind == PoseSource::Kind::mix;
+  return mixed && shows(document, *source.pose) ? source.base : nullptr;
 }
 
 std::string free_name(const PoseLibrary& library, const std::string& wish) {
@@ -222,8 +247,10 @@ void add_named(Document& document, std::vector<NamedPose> poses, const char* lab
 
 // After a change of weights that keeps the current pose: this pose is the mix upon the pose at rest.
 void mix_upon_rest(Document& document) {
-  document.changed_library().mixed = shared_pose(document);
-  document.changed_library().unmixed = rest_of(document);
+  PoseSource& source = document.changed_source();
+  source.kind = PoseSource::Kind::mix;
+  source.pose = shared_pose(document);
+  source.base = rest_of(document);
 }
 
 // Sets the weight of a named pose, which the document must have, to 1 and the other weights to 0.
@@ -260,7 +287,7 @@ std::size_t keep_pose(Document& document, VectorCache& vectors, const std::strin
   document.changed_library().poses.back().weight = 1;
   mix_upon_rest(document);
   for (PoseKey& key : document.changed_timeline().keys)
-    if (!key.mix.empty() && same_pose(*key.pose, *document.library().mixed))
+    if (!key.mix.empty() && same_pose(*key.pose, *document.source().pose))
       key.mix = mixed_poses(document.library());
   return document.library().poses.size() - 1;
 }
@@ -287,7 +314,7 @@ void update_pose(Document& document, std::size_t pose) {
 
 void apply_pose(Document& document, std::size_t pose) {
   record_edit(document, "apply pose");
-  put_whole_pose(document, *document.library().poses[pose].pose);
+  show_pose(document, *document.library().poses[pose].pose, PoseSource::Kind::edited);
   mix_only(document, pose);
 }
 
@@ -425,13 +452,13 @@ void forget_probe(Document& document, std::size_t probe) {
     if (probe < pose.probes.size())
       pose.probes.erase(pose.probes.begin() + static_cast<std::ptrdiff_t>(probe));
   });
-  document.changed_library().unmixed = document.changed_library().mixed = nullptr;
+  forget_base(document);
 }
 
 void set_pose(Document& document, deform::Pose pose) {
   record_edit(document, "open pose");
   end_mix(document);
-  document.changed_kept_pose().reset();
+  document.changed_source() = {};
   document.changed_pose() = std::move(pose);
 }
 

@@ -11,15 +11,20 @@
 
 namespace viete::document {
 
-/// Returns the current pose of shape, cage and probes. During cage editing, uses kept_pose for the cage.
+/// Returns the current pose of shape, cage and probes. During cage editing, uses kept_pose() for the cage.
 WholePose whole_pose(const Document& document);
 SharedPose shared_pose(const Document& document);
 
 // The next three functions do not record an edit.
 
-/// Sets the pose of shape, cage and unlocked probes. Ends cage editing, and moves the pins to their vertices.
-/// If the pose is not the mixed pose, also call end_mix().
-void put_whole_pose(Document& document, const WholePose& pose);
+/// Shows a pose: sets shape, cage and unlocked probes. Ends cage editing, and moves the pins to their
+/// vertices. `kind` is the source of the pose. If it is not a mix, sets all weights to 0. `base`: see
+/// PoseSource.
+void show_pose(Document& document, const WholePose& pose, PoseSource::Kind kind, SharedPose base = nullptr);
+/// True if the document has this pose. Ignores pins and locked probes.
+bool shows(const Document& document, const WholePose& pose);
+/// Returns the source of the shown pose: `edited` if the pose was edited after the source had computed it.
+PoseSource::Kind source_of(const Document& document);
 /// Moves each pin to the position of its vertex in the shape.
 void move_pins_to_shape(Document& document);
 /// Sets all weights to 0 and keeps the current pose.
@@ -43,8 +48,8 @@ std::size_t keep_pose(Document& document, VectorCache& vectors, const std::strin
 void add_poses(Document& document, std::vector<NamedPose> poses);
 /// Adds poses with these shapes to the list. Their cage is at rest. Throws errors of keep_pose().
 void add_shapes(Document& document, std::vector<NamedShape> shapes);
-/// Replaces a named pose by the current pose. Sets its weight to 1 and the other weights to 0, and removes the
-/// pose from keys' mixes.
+/// Replaces a named pose by the current pose. Sets its weight to 1 and the other weights to 0, and removes
+/// the pose from keys' mixes.
 void update_pose(Document& document, std::size_t pose);
 /// Makes a named pose the current pose. Sets its weight to 1 and the other weights to 0.
 void apply_pose(Document& document, std::size_t pose);

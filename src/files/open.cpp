@@ -291,7 +291,8 @@ void set_pose_from_keys(document::Document& document) {
   document::VectorCache vectors;
   vectors.follow(document.cage());
   vectors.follow_model(document.model().surface);
-  put_whole_pose(document, document::Animation(document.timeline(), vectors).at(document.frame()));
+  show_pose(document, document::Animation(document.timeline(), vectors).at(document.frame()),
+            document::PoseSource::Kind::frame);
 }
 
 void add_shape_vectors(Opened& opened, const document::Document& document, base::Progress* progress) {
@@ -321,7 +322,9 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   check_fits(document, session, file);
   for (deform::Probe& probe : document.changed_probes().all)
     if (probe.pin) probe.place = document.model().surface->positions[probe.pin->vertex];
-  if (document.library().unmixed) document.changed_library().mixed = shared_pose(document);
+  const document::SharedPose base = std::exchange(document.changed_source(), {}).base;
+  if (base && document.library().mixes())
+    document.changed_source() = {document::PoseSource::Kind::mix, shared_pose(document), base};
   add_shape_vectors(opened, document, progress);
   if (document.has_cage() && session.pose.positions.empty() && !session.shape) set_pose_from_keys(document);
   document.changed_selection() = without_hidden(document, document.selection());

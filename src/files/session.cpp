@@ -387,7 +387,7 @@ void code_session(const JsonField& f, Session& s, const Place& place) {
   if (f.reads() || !s.pose.positions.empty()) f.member("pose", s.pose);
   f.unless(nullptr, "shape", s.shape);
   f.unless({}, "poses", s.library.poses, document::PoseLibrary::most_poses);
-  f.unless(nullptr, "unmixed", s.library.unmixed);
+  f.unless(nullptr, "unmixed", s.source.base);
   const auto time = f.reads() || s.timeline != document::Timeline{} ? f.child("time") : std::nullopt;
   if (!time) return;
   code(*time, s.timeline);
@@ -490,7 +490,7 @@ void check_poses(const document::DocumentState& state, const deform::Cage* cage,
   };
   for (const document::NamedPose& named : state.library.poses)
     check("poses", "the pose " + formats::in_quotes(named.name), named.pose);
-  if (state.library.unmixed) check("unmixed", "this pose", state.library.unmixed);
+  if (state.source.base) check("unmixed", "this pose", state.source.base);
   for (const auto* keys : {&state.timeline.keys, &state.timeline.unkeyed})
     for (const document::PoseKey& key : *keys)
       check("time", "the pose of frame " + std::to_string(key.frame), key.pose);

@@ -16,16 +16,6 @@ namespace {
 
 constexpr const char* leave_label = "go to frame";
 
-// True if the document has this pose. Ignores pins and locked probes.
-bool is_there(const Workspace& w, const document::WholePose& pose) {
-  if (w.document.has_cage() && !document::same_pose(pose.cage, real_pose(w.document))) return false;
-  if (!document::same_shape(pose.shape, w.document.shape())) return false;
-  const auto& probes = w.document.probes().all;
-  for (std::size_t i = 0; i < probes.size(); ++i)
-    if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == pose.probe(i))) return false;
-  return true;
-}
-
 bool is_current(const Workspace& w) {
   return w.playback.cage == w.document.cage() && w.playback.model == w.document.model().surface &&
          w.playback.timeline == w.document.timeline();
@@ -40,8 +30,14 @@ const document::WholePose& keyed_pose(const Workspace& w) {
   return *known.pose;
 }
 
+// True if the keys have given the shown pose, and no edit has changed the pose later.
 bool is_shown(const Workspace& w) {
-  return w.playback.shown && is_there(w, *w.playback.shown);
+  const document::PoseSource& source = w.document.source();
+  return source.keyed && source.pose && shows(w.document, *source.pose);
+}
+
+bool has_keyed_pose(const Workspace& w) {
+  return shows(w.document, keyed_pose(w));
 }
 
 // Goes to a frame without storing an unkeyed pose.
@@ -50,9 +46,7 @@ void show_frame(Workspace& w, double frame) {
   if (const auto camera = camera_at(w.document.timeline(), frame)) w.view.camera.set_pose(*camera);
   const auto animation = animation_of(w);
   if (!animation) return;
-  end_mix(w.document);
-  put_whole_pose(w.document, keyed_pose(w));
-  w.playback.shown = w.playback.by_time.pose;
+  show_pose(w.document, keyed_pose(w), document::PoseSource::Kind::frame);
 }
 
 void see(Workspace& w) {
@@ -80,6 +74,15 @@ bool has_unseen_edits(const Workspace& w) {
   return w.document.history().revision() != w.playback.seen_revision && (!is_dragging(w) || moves_keys);
 }
 
+// The keys give the shown pose. A mix is still known as a mix.
+void take_as_keyed(document::Document& document) {
+  document::PoseSource& source = document.changed_source();
+  using Kind = document::PoseSource::Kind;
+  if (source_of(document) != Kind::mix && !source.kept) source.kind = Kind::frame;
+  source.pose = shared_pose(document);
+  source.keyed = true;
+}
+
 // Handles edits since the last call: sets an automatic key, or shows the frame of an edited timeline.
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
@@ -87,10 +90,10 @@ void follow_edits(Workspace& w) {
   const bool retimed = p.seen_timeline != w.document.timeline();
   see(w);
   if (!animation_of(w)) {
-    p.shown = nullptr;
+    w.document.changed_source().keyed = false;
     return;
   }
-  if (p.auto_key && !retimed && !is_shown(w) && !is_there(w, keyed_pose(w))) {
+  if (p.auto_key && !retimed && !is_shown(w) && !has_keyed_pose(w)) {
     try {
       add_key_to_edit(w.document, current_frame(w.document));
       see(w);
@@ -99,8 +102,8 @@ void follow_edits(Workspace& w) {
     }
     animation_of(w);
   }
-  if (is_there(w, keyed_pose(w))) {
-    p.shown = shared_pose(w.document);
+  if (has_keyed_pose(w)) {
+    take_as_keyed(w.document);
   } else if (retimed && is_shown(w)) {
     show_frame(w, w.document.frame());
   } else {
@@ -141,7 +144,7 @@ std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
 bool has_unkeyed_pose(const Workspace& w) {
   if (w.document.timeline().keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
   const bool known = w.playback.animation && is_current(w);
-  return !known || !is_there(w, keyed_pose(w));
+  return !known || !has_keyed_pose(w);
 }
 
 void go_to_frame(Workspace& w, double frame) {
@@ -204,7 +207,7 @@ void add_unkeyed_to_undo(Workspace& w, bool show) {
   end_mix(then);
   then.changed_timeline().unkeyed.clear();
   for (const document::PoseKey& left : document.timeline().unkeyed) {
-    put_whole_pose(then, *left.pose);
+    show_pose(then, *left.pose, document::PoseSource::Kind::edited);
     then.put_frame(left.frame);
     document.changed_history().record(leave_label, then.state());
     then.changed_timeline().unkeyed.push_back(left);

@@ -190,7 +190,7 @@ files::Session session_of(const Workspace& w) {
   files::Session session;
   static_cast<document::DocumentState&>(session) = w.document.state();
   session.pose = real_pose(w.document);
-  session.library.unmixed = unmixed_pose(w.document);
+  session.source.base = unmixed_pose(w.document);
   session.model = w.document.model();
   session.origin = w.files.saved.session;
   session.origin_content = w.files.saved.content;

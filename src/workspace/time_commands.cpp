@@ -61,8 +61,8 @@ void keep(Workspace& w) {
     const std::string name = "Pose " + std::to_string(poses.size() + 1);
     w.view.chosen_pose = keep_pose(w.document, w.playback.vectors, name, shown_weights(w));
     const document::SharedPose& added = poses.back().pose;
-    if (poses.size() > 1 && !document::same_pose(*added, *w.document.library().mixed) &&
-        document::same_pose(*added, *w.document.library().unmixed))
+    if (poses.size() > 1 && !document::same_pose(*added, *w.document.source().pose) &&
+        document::same_pose(*added, *w.document.source().base))
       w.messages.info("The weighted poses already make the current pose, so " + poses.back().name +
                       " adds nothing to them. Update pose stores the whole pose in it.");
   });

@@ -59,7 +59,6 @@ struct Playback {
   std::shared_ptr<const deform::Cage> cage{};
   std::shared_ptr<const mesh::Surface> model{};
   mutable TimedPose by_time{};         ///< the pose that was computed last
-  document::SharedPose shown{};        ///< the pose that the timeline has set; null: none
   unsigned long seen_revision = 0;     ///< the last revision of the history that playback has handled
   document::Timeline seen_timeline{};  ///< the timeline at that revision
 };
