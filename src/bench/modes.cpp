@@ -306,7 +306,7 @@ private:
 
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
-  for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
+  for (const auto way : base::all_values<deform::Way>()) all.push_back(deform::scheme_of(way));
   if (!settings.named_only) {
     const auto others = deform::valid_schemes();
     all.insert(all.end(), others.begin(), others.end());

@@ -92,7 +92,7 @@ void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding
 // is 1. Returns the number of vertices without mean value coordinates.
 std::size_t fill(const Cage& cage, Binding& b, base::WorkerPool& pool, base::Progress* progress) {
   const Weigher weigher(cage, b.weighting);
-  const bool on_surface = entry(b.weighting.weights).on_surface;
+  const bool on_surface = b.weighting.on_surface();
   std::atomic<std::size_t> done{0}, failed{0};
   pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
     const auto rows = b.weights.begin() + std::ptrdiff_t(begin * b.handles);
@@ -149,7 +149,7 @@ Binding bind(std::shared_ptr<const mesh::Surface> model, const Cage& cage, const
   binding.tiles = std::move(tiles);
   allocate(binding);
   binding.around = mesh::vertex_triangles(binding.vertices, model->triangles);
-  const bool on_surface = entry(weighting.weights).on_surface;
+  const bool on_surface = weighting.on_surface();
   if (on_surface) solve_surface_weights(*model, cage, binding, pool, progress);
   const std::size_t failed = fill(cage, binding, pool, on_surface ? nullptr : progress);
   binding.model = std::move(model);

@@ -64,7 +64,7 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
     if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
   }
   const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
-  const bool on_surface = entry(scheme.weighting.weights).on_surface;
+  const bool on_surface = scheme.weighting.on_surface();
   if (on_surface && n > most_solved_vertices) {
     proxy_.emplace(model_, *cage_, scheme.weighting, pool_, progress);
   } else if (on_surface) {

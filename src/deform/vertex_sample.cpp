@@ -40,14 +40,13 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
 
 BoundVertices::BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask)
     : weigher_(weigher), binding_(binding), mask_(mask) {
-  if (entry(binding.weighting.weights).on_surface && binding.weights.empty())
-    slots_ = slots_of(binding.tiles->leaves);
+  if (binding.weighting.on_surface() && binding.weights.empty()) slots_ = slots_of(binding.tiles->leaves);
 }
 
 Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
   const std::size_t k = weigher_.handles();
   std::vector<double> rows;
-  if (entry(binding_.weighting.weights).on_surface) rows.resize(vertices.size() * k);
+  if (binding_.weighting.on_surface()) rows.resize(vertices.size() * k);
   for (std::size_t i = 0; i * k < rows.size(); ++i) {
     const std::span row = std::span(rows).subspan(i * k, k);
     if (slots_.empty())
