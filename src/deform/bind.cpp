@@ -126,6 +126,27 @@ BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
   return part;
 }
 
+KnownRow known_row(const Binding& binding) {
+  if (!binding.weighting.on_surface()) return {};
+  if (binding.weights.empty())
+    return [&tiles = *binding.tiles, slots = slots_of(binding.tiles->leaves)](
+               std::uint32_t vertex, std::span<double> row) { tiles.kept_row(slots[vertex], row); };
+  return [&binding](std::uint32_t vertex, std::span<double> row) {
+    std::copy_n(binding.weights.data() + vertex * row.size(), row.size(), row.begin());
+  };
+}
+
+BoundPart bind_vertices(const Weigher& weigher, std::span<const mesh::Point> rest, const KnownRow& row,
+                        const Mask& mask, std::span<const std::size_t> vertices) {
+  const std::size_t k = weigher.handles();
+  std::vector<double> weights(row ? vertices.size() * k : 0);
+  for (std::size_t i = 0; i * k < weights.size(); ++i)
+    row(static_cast<std::uint32_t>(vertices[i]), std::span(weights).subspan(i * k, k));
+  BoundPart part = bind_part(weigher, picked(rest, vertices), std::move(weights));
+  part.binding.shares = product(std::move(part.binding.shares), picked(values(mask), vertices));
+  return part;
+}
+
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress) {
   return deform::bind(std::make_shared<const mesh::Surface>(model), cage, weighting, EngineKind::staged,
