@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/background.h"
+#include "base/choice.h"
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/text.h"
