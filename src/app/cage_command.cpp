@@ -73,8 +73,8 @@ void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
   for (const std::string& name : idle) {
     if (command.get_option(name)->count() == 0) continue;
-    const auto& kind = cages::all_kinds()[static_cast<std::size_t>(wish.kind)];
-    throw CLI::ValidationError(name, "has no effect with --kind " + std::string(kind.name));
+    throw CLI::ValidationError(name,
+                               "has no effect with --kind " + std::string(base::entry_of(wish.kind).word));
   }
 }
 
@@ -116,8 +116,7 @@ void add_cage_command(CLI::App& app, Action& action) {
                   "Mesh file to write; the extension sets the format")
       ->required();
   add_force_option(*command, o->output.force);
-  add_choice(*command, "--kind", "Kind: automatic or box", cages::all_kinds(), wish.kind)
-      ->default_str(std::string(cages::all_kinds().front().name));
+  add_choice<cages::Kind>(*command, "--kind", "Kind: automatic or box", wish.kind)->default_str("automatic");
   auto* triangles = command->add_option("--triangles", wish.triangles, "Number of triangles");
   whole_in_range(triangles, cages::least_triangles, cages::most_triangles)->default_str("200");
   const auto add_percent = [&](const std::string& name, const std::string& text, double& share, double low,
@@ -132,9 +131,9 @@ void add_cage_command(CLI::App& app, Action& action) {
   add_percent("--gap", "Close gaps narrower than twice this distance, in % of the diagonal", wish.gap, 0,
               cages::most_gap)
       ->default_str("0.5");
-  add_choice(*command, "--symmetry", "Plane of symmetry: auto, none, x, y or z", cages::all_symmetries(),
-             wish.symmetry)
-      ->default_str(std::string(cages::all_symmetries().front().name));
+  add_choice<cages::Symmetry>(*command, "--symmetry", "Plane of symmetry: auto, none, x, y or z",
+                              wish.symmetry)
+      ->default_str("auto");
   command->add_flag("--quads", wish.quads, "Pair triangles that form good quads");
   command
       ->add_option_function<std::string>(

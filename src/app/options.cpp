@@ -90,36 +90,34 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
 }
 
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
-  add_choice(app, "--weights", "Weights, see 'viete help deformers'", deform::all_weights(), choice.weights);
-  add_choice(app, "--blend", "Blend of transformations, see 'viete help deformers'", deform::all_blends(),
-             choice.blend);
+  add_choice<deform::Weights>(app, "--weights", "Weights, see 'viete help deformers'", choice.weights);
+  add_choice<deform::Blend>(app, "--blend", "Blend of transformations, see 'viete help deformers'",
+                            choice.blend);
 }
 
 std::string deformers_help() {
   std::string text = "Values of the options of viete\n";
-  const auto list = [&text](const char* title, const auto& table) {
+  const auto list = [&text](const char* title, std::span<const base::Choice> values) {
     text += std::string("\n") + title + ":\n";
-    for (const auto& e : table) text += help_line(std::string(e.name), std::string(e.sentence));
+    for (const base::Choice& value : values)
+      text += help_line(std::string(value.word), std::string(value.hint));
   };
-  list("Deformers (--deformer)", deform::all_ways());
-  list("Weights (--weights)", deform::all_weights());
-  list("Blends (--blend)", deform::all_blends());
-  list("Falloffs of probes", deform::all_falloffs());
+  list("Deformers (--deformer)", choices(deform::Way{}));
+  list("Weights (--weights)", choices(deform::Weights{}));
+  list("Blends (--blend)", choices(deform::Blend{}));
+  list("Falloffs of probes", choices(deform::Falloff{}));
   text += "\nMethods (--method):\n";
   for (const sym3::Method method : analysis::compared_methods)
     text += help_line(std::string(sym3::name(method)),
                       std::ranges::find(sym3::methods(), method, &sym3::MethodEntry::method)->sentence);
-  text += "\nMaps (--map):\n";
-  for (const base::Choice& map : choices(analysis::Field::none))
-    text += help_line(std::string(map.word), std::string(map.hint));
+  list("Maps (--map)", choices(analysis::Field::none));
   return text + "\nThe manual explains all terms: viete manual glossary";
 }
 
 void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked) {
   const deform::NumberEntry& number = deform::number(name);
   const auto take = [&](double percent) { asked.*number.asked = percent / 100; };
-  auto* option =
-      app.add_option_function<double>("--" + std::string(name), take, std::string(number.sentence));
+  auto* option = app.add_option_function<double>("--" + std::string(name), take, std::string(number.hint));
   in_range(option, 100 * number.least, 100 * number.largest)
       ->option_text("PERCENT")
       ->default_str(number_text(number.percent({})));

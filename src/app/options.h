@@ -30,15 +30,13 @@ CLI::Option* in_range(CLI::Option* option, double low, double high);
 CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high);
 /// Accepts only these words.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
-/// Adds an option that accepts only names in `table`. Sets `target` to the value of the named entry.
-template <class Entry, class Target>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::string& text,
-                        std::span<const Entry> table, Target& target) {
+/// Adds an option that accepts only the words of an enumeration, see base/choice.h. Sets `target`, a Value or
+/// an optional Value.
+template <class Value, class Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::string& text, Target& target) {
   std::vector<std::string> words;
-  for (const Entry& e : table) words.emplace_back(e.name);
-  const auto take = [&target, table](const std::string& word) {
-    target = std::ranges::find(table, word, &Entry::name)->value;
-  };
+  for (const base::Choice& choice : choices(Value{})) words.emplace_back(choice.word);
+  const auto take = [&target](const std::string& word) { target = *base::value_of_word<Value>(word); };
   return one_of(app.add_option_function<std::string>(name, take, text), words);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace viete::base {
 
@@ -22,6 +23,14 @@ std::span<const Choice> choices(Value) = delete;
 template <class Value>
 const Choice& entry_of(Value value) {
   return choices(value)[static_cast<std::size_t>(value)];
+}
+
+/// Returns all values, in the order of the enumeration.
+template <class Value>
+std::vector<Value> all_values() {
+  std::vector<Value> all(choices(Value{}).size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Value>(i);
+  return all;
 }
 
 /// Returns the value with this word. If no value has this word, returns nullopt.

@@ -19,6 +19,7 @@
 #include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
+#include "deform/maps.h"
 #include "deform/pose_io.h"
 #include "mesh/edge_paths.h"
 #include "mesh/normals.h"
@@ -33,11 +34,7 @@ namespace {
 using mesh::norm, mesh::Point;
 
 Point moved_by(const WholePose& pose, const Point& middle, double diagonal, const Point& p) {
-  const auto& m = pose.linear;
-  const Point x = p - middle;
-  return Point{m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
-               m[6] * x[0] + m[7] * x[1] + m[8] * x[2]} +
-         middle + diagonal * pose.shift;
+  return deform::times(pose.linear, p - middle) + middle + diagonal * pose.shift;
 }
 
 sym3::Mat3<double> turned(double scale) {
@@ -306,7 +303,7 @@ private:
 
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
-  for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
+  for (const auto way : base::all_values<deform::Way>()) all.push_back(deform::scheme_of(way));
   if (!settings.named_only) {
     const auto others = deform::valid_schemes();
     all.insert(all.end(), others.begin(), others.end());

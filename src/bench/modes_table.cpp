@@ -66,7 +66,7 @@ std::string cell(double value, const char* format) {
 
 std::string name_of(const Mode& mode) {
   const auto way = deform::way_of(mode.scheme);
-  return (way ? std::string(deform::entry(*way).name) + ": " : "") + deform::text(mode.scheme);
+  return (way ? std::string(base::entry_of(*way).word) + ": " : "") + deform::text(mode.scheme);
 }
 
 template <class Row>
@@ -118,9 +118,9 @@ void print_notes(const ModeComparison& compared, std::span<const NamedPose> pose
 nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
   const deform::Scheme& scheme = mode.scheme;
   nlohmann::json json = {{"name", deform::text(scheme)},
-                         {"weights", deform::entry(scheme.weighting.weights).name},
-                         {"blend", deform::entry(scheme.blend).name}};
-  if (const auto way = deform::way_of(scheme)) json["way"] = deform::entry(*way).name;
+                         {"weights", base::entry_of(scheme.weighting.weights).word},
+                         {"blend", base::entry_of(scheme.blend).word}};
+  if (const auto way = deform::way_of(scheme)) json["way"] = base::entry_of(*way).word;
   if (!mode.problem.empty()) {
     json["problem"] = mode.problem;
     return json;

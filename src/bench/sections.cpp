@@ -307,7 +307,7 @@ Section frames_section(const Figures& figures) {
 
 std::string label_of(const Mode& mode) {
   const auto way = deform::way_of(mode.scheme);
-  return way ? std::string(deform::entry(*way).label) : deform::text(mode.scheme);
+  return way ? std::string(base::entry_of(*way).label) : deform::text(mode.scheme);
 }
 
 std::string number(double value) {
@@ -365,7 +365,7 @@ std::string descriptions(const Modes& modes) {
   Table table{{"deformer", "what it does"}, {}, {"what it does"}};
   for (const Mode* m : modes)
     if (const auto way = deform::way_of(m->scheme))
-      table.rows.push_back({label_of(*m), std::string(deform::entry(*way).sentence)});
+      table.rows.push_back({label_of(*m), std::string(base::entry_of(*way).hint)});
   return details("Description of the deformers", html(table));
 }
 

@@ -6,19 +6,36 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/choice.h"
 #include "cages/subject.h"
 #include "mesh/surface.h"
 
 namespace viete::cages {
 
 enum class Kind { automatic, box };
+inline std::span<const base::Choice> choices(Kind) {
+  static constexpr base::Choice kinds[] = {
+      {"automatic", "automatic", "a cage that follows the model, with the given number of triangles"},
+      {"box", "box", "a box of quads, divided into cells"},
+  };
+  return kinds;
+}
 
 /// The plane of symmetry. `automatic` searches for the model's plane. `x`, `y` and `z` are the planes that
 /// are perpendicular to this axis and contain the center of the model's bounding box.
 enum class Symmetry { automatic, none, x, y, z };
+inline std::span<const base::Choice> choices(Symmetry) {
+  static constexpr base::Choice symmetries[] = {
+      {"auto", "auto", "the model's own plane of symmetry, if it has one"},
+      {"none", "none", "no plane of symmetry"},
+      {"x", "x", "the plane perpendicular to x through the model's centre"},
+      {"y", "y", "the plane perpendicular to y through the model's centre"},
+      {"z", "z", "the plane perpendicular to z through the model's centre"},
+  };
+  return symmetries;
+}
 
 /// A preview is made about four times as fast, with a simpler method and a less exact margin.
 enum class Effort { preview, full };
@@ -40,29 +57,6 @@ struct Wish {
 
   friend bool operator==(const Wish&, const Wish&) = default;
 };
-
-template <class Value>
-struct Entry {
-  Value value;
-  std::string_view name, sentence;
-};
-inline std::span<const Entry<Kind>> all_kinds() {
-  static constexpr Entry<Kind> kinds[] = {
-      {Kind::automatic, "automatic", "a cage that follows the model, with the given number of triangles"},
-      {Kind::box, "box", "a box of quads, divided into cells"},
-  };
-  return kinds;
-}
-inline std::span<const Entry<Symmetry>> all_symmetries() {
-  static constexpr Entry<Symmetry> symmetries[] = {
-      {Symmetry::automatic, "auto", "the model's own plane of symmetry, if it has one"},
-      {Symmetry::none, "none", "no plane of symmetry"},
-      {Symmetry::x, "x", "the plane perpendicular to x through the model's centre"},
-      {Symmetry::y, "y", "the plane perpendicular to y through the model's centre"},
-      {Symmetry::z, "z", "the plane perpendicular to z through the model's centre"},
-  };
-  return symmetries;
-}
 
 struct Made {
   mesh::Surface surface;

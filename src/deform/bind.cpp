@@ -92,7 +92,7 @@ void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding
 // is 1. Returns the number of vertices without mean value coordinates.
 std::size_t fill(const Cage& cage, Binding& b, base::WorkerPool& pool, base::Progress* progress) {
   const Weigher weigher(cage, b.weighting);
-  const bool on_surface = entry(b.weighting.weights).on_surface;
+  const bool on_surface = b.weighting.on_surface();
   std::atomic<std::size_t> done{0}, failed{0};
   pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
     const auto rows = b.weights.begin() + std::ptrdiff_t(begin * b.handles);
@@ -126,6 +126,27 @@ BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
   return part;
 }
 
+KnownRow known_row(const Binding& binding) {
+  if (!binding.weighting.on_surface()) return {};
+  if (binding.weights.empty())
+    return [&tiles = *binding.tiles, slots = slots_of(binding.tiles->leaves)](
+               std::uint32_t vertex, std::span<double> row) { tiles.kept_row(slots[vertex], row); };
+  return [&binding](std::uint32_t vertex, std::span<double> row) {
+    std::copy_n(binding.weights.data() + vertex * row.size(), row.size(), row.begin());
+  };
+}
+
+BoundPart bind_vertices(const Weigher& weigher, std::span<const mesh::Point> rest, const KnownRow& row,
+                        const Mask& mask, std::span<const std::size_t> vertices) {
+  const std::size_t k = weigher.handles();
+  std::vector<double> weights(row ? vertices.size() * k : 0);
+  for (std::size_t i = 0; i * k < weights.size(); ++i)
+    row(static_cast<std::uint32_t>(vertices[i]), std::span(weights).subspan(i * k, k));
+  BoundPart part = bind_part(weigher, picked(rest, vertices), std::move(weights));
+  part.binding.shares = product(std::move(part.binding.shares), picked(values(mask), vertices));
+  return part;
+}
+
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress) {
   return deform::bind(std::make_shared<const mesh::Surface>(model), cage, weighting, EngineKind::staged,
@@ -149,7 +170,7 @@ Binding bind(std::shared_ptr<const mesh::Surface> model, const Cage& cage, const
   binding.tiles = std::move(tiles);
   allocate(binding);
   binding.around = mesh::vertex_triangles(binding.vertices, model->triangles);
-  const bool on_surface = entry(weighting.weights).on_surface;
+  const bool on_surface = weighting.on_surface();
   if (on_surface) solve_surface_weights(*model, cage, binding, pool, progress);
   const std::size_t failed = fill(cage, binding, pool, on_surface ? nullptr : progress);
   binding.model = std::move(model);

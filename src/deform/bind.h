@@ -32,6 +32,14 @@ struct BoundPart {
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
                     std::vector<double> weights = {});
 
+/// Returns the weights along the surface in a binding: those of the staged engine or, if these are missing,
+/// of the tiles. Empty for other weights. The binding must outlive the result.
+KnownRow known_row(const Binding& binding);
+/// Binds some of the vertices whose positions at rest are `rest`, with shares multiplied by the mask. If
+/// `row` is empty, computes the weights. `mask` may be null.
+BoundPart bind_vertices(const Weigher& weigher, std::span<const mesh::Point> rest, const KnownRow& row,
+                        const Mask& mask, std::span<const std::size_t> vertices);
+
 /// Makes a binding for the fused engine from tiles of this model and cage.
 Binding with_tiles(std::shared_ptr<const mesh::Surface> model, const Cage& cage,
                    std::shared_ptr<const TiledBinding> tiles);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -78,6 +80,9 @@ inline std::span<const float> values(const Mask& mask) {
 }
 /// Returns the products of shares and mask values. If an argument is empty, its values count as 1.
 Shares product(Shares shares, std::span<const float> mask);
+
+/// Writes the weights of a vertex. Thread-safe.
+using KnownRow = std::function<void(std::uint32_t vertex, std::span<double> row)>;
 
 /// Returns warnings about mean value coordinates: an open cage, flipped or ignored triangles, and vertices
 /// without coordinates (their number is `failed`). For other weights, returns no warnings.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -64,12 +65,14 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
     if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
   }
   const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
-  const bool on_surface = entry(scheme.weighting.weights).on_surface;
+  const bool on_surface = scheme.weighting.on_surface();
   if (on_surface && n > most_solved_vertices) {
     proxy_.emplace(model_, *cage_, scheme.weighting, pool_, progress);
+    row_ = [this](std::uint32_t vertex, std::span<double> row) { proxy_->row(vertex, row); };
   } else if (on_surface) {
     surface_weights_ = deform::bind(mesh::lent(model_), *cage_, scheme.weighting, EngineKind::staged, nullptr,
                                     pool_, progress);
+    row_ = known_row(surface_weights_);
   }
   const bool has_all = on_surface && !proxy_;
   if (weights == Weights::kept && !has_all && has_room_to_keep(n, weigher_.handles())) {
@@ -79,19 +82,9 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
 }
 
 BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
-  const std::size_t k = weigher_.handles();
-  std::vector<double> solved;
-  if (const auto& all = surface_weights_.weights; !all.empty())
-    solved.assign(all.begin() + std::ptrdiff_t(begin * k), all.begin() + std::ptrdiff_t((begin + count) * k));
-  if (proxy_) {
-    solved.resize(count * k);
-    for (std::size_t i = 0; i < count; ++i)
-      proxy_->row(static_cast<std::uint32_t>(begin + i), std::span(solved).subspan(i * k, k));
-  }
-  BoundPart part = bind_part(weigher_, std::span(model_.positions).subspan(begin, count), std::move(solved));
-  if (mask_)
-    part.binding.shares = product(std::move(part.binding.shares), values(mask_).subspan(begin, count));
-  return part;
+  std::vector<std::size_t> vertices(count);
+  std::iota(vertices.begin(), vertices.end(), begin);
+  return bind_vertices(weigher_, model_.positions, row_, mask_, vertices);
 }
 
 std::vector<Vec3> ExactDeformer::ways(const Binding& part, const SharedShape& shape,

@@ -43,6 +43,8 @@ public:
   ExactDeformer(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
+  ExactDeformer(const ExactDeformer&) = delete;
+  ExactDeformer& operator=(const ExactDeformer&) = delete;
 
   /// Deforms `shape` (null: the rest model) by the cage, and then by the probes, see ProbeLayer. Throws
   /// base::Error if the pose does not have one position per cage vertex, and base::Cancelled.
@@ -71,6 +73,7 @@ private:
   Shares shares_;                      // shares of all vertices, only for stitching
   Binding surface_weights_;            // weights along the surface of a small model; empty for other weights
   std::optional<ProxyWeights> proxy_;  // weights along the surface of a large model
+  KnownRow row_;                       // reads surface_weights_ or proxy_; empty for other weights
   std::vector<BoundPart> parts_;       // one per block; empty unless weights are kept
   ProbeLayer layer_;
   std::optional<ShapeFollower> follower_;  // rotates shapes if the elements only translate

@@ -12,27 +12,23 @@ namespace viete::deform {
 
 namespace {
 
-constexpr FalloffEntry falloffs[] = {
-    {{"smooth", "Smooth", "Decreases smoothly to zero at the radius"}, Falloff::smooth},
-    {{"round", "Round", "Strong almost up to the radius, then decreases to zero"}, Falloff::round},
-    {{"linear", "Linear", "Decreases linearly to zero at the radius"}, Falloff::linear},
-    {{"sharp", "Sharp", "Strong only close to the probe, zero at the radius"}, Falloff::sharp},
-    {{"even", "Even", "Constant up to the radius, zero beyond it"}, Falloff::even},
-    {{"endless", "Endless", "Acts at every distance, with half strength at the radius"}, Falloff::endless},
-    {{"none", "Off", "No influence"}, Falloff::none},
+constexpr base::Choice falloffs[] = {
+    {"smooth", "Smooth", "Decreases smoothly to zero at the radius"},
+    {"round", "Round", "Strong almost up to the radius, then decreases to zero"},
+    {"linear", "Linear", "Decreases linearly to zero at the radius"},
+    {"sharp", "Sharp", "Strong only close to the probe, zero at the radius"},
+    {"even", "Even", "Constant up to the radius, zero beyond it"},
+    {"endless", "Endless", "Acts at every distance, with half strength at the radius"},
+    {"none", "Off", "No influence"},
 };
 
-constexpr ProbeMixEntry mixes[] = {
-    {{"added", "Added", "Adds the effects of all probes. Two probes moved together act twice as strongly"},
-     ProbeMix::added},
-    {{"partial", "Divided",
-      "Scales the weights down where their sum exceeds 1, so two probes moved together act like one"},
-     ProbeMix::partial},
-    {{"whole", "Whole",
-      "Scales the weights to a sum of 1 near any probe. Probes at rest keep their surroundings at rest"},
-     ProbeMix::whole},
-    {{"softmax", "Nearest", "The nearest probe has most of the effect (softmax of the weights)"},
-     ProbeMix::softmax},
+constexpr base::Choice mixes[] = {
+    {"added", "Added", "Adds the effects of all probes. Two probes moved together act twice as strongly"},
+    {"partial", "Divided",
+     "Scales the weights down where their sum exceeds 1, so two probes moved together act like one"},
+    {"whole", "Whole",
+     "Scales the weights to a sum of 1 near any probe. Probes at rest keep their surroundings at rest"},
+    {"softmax", "Nearest", "The nearest probe has most of the effect (softmax of the weights)"},
 };
 
 constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
@@ -47,17 +43,11 @@ void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool
 
 }  // namespace
 
-std::span<const FalloffEntry> all_falloffs() {
+std::span<const base::Choice> choices(Falloff) {
   return falloffs;
 }
-std::span<const ProbeMixEntry> all_probe_mixes() {
+std::span<const base::Choice> choices(ProbeMix) {
   return mixes;
-}
-const FalloffEntry& entry(Falloff falloff) {
-  return falloffs[static_cast<std::size_t>(falloff)];
-}
-const ProbeMixEntry& entry(ProbeMix mix) {
-  return mixes[static_cast<std::size_t>(mix)];
 }
 
 double weight_at(Falloff falloff, double t) {

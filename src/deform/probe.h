@@ -15,20 +15,11 @@ namespace viete::deform {
 
 /// How the weight of a probe's motion depends on the rest distance from the probe.
 enum class Falloff { smooth, round, linear, sharp, even, endless, none };
+std::span<const base::Choice> choices(Falloff);
 
 /// How the weights of several probes at a vertex are combined.
 enum class ProbeMix { added, partial, whole, softmax };
-
-struct FalloffEntry : ChoiceEntry {
-  Falloff value;
-};
-struct ProbeMixEntry : ChoiceEntry {
-  ProbeMix value;
-};
-std::span<const FalloffEntry> all_falloffs();
-std::span<const ProbeMixEntry> all_probe_mixes();
-const FalloffEntry& entry(Falloff falloff);
-const ProbeMixEntry& entry(ProbeMix mix);
+std::span<const base::Choice> choices(ProbeMix);
 
 /// Returns the weight, 0 to 1, at a distance in radii. For radii >= 1, only Falloff::endless is above 0.
 double weight_at(Falloff falloff, double radii);

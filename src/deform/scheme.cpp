@@ -12,45 +12,24 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::array weights_table = {
-    WeightsEntry{{"inverse", "Inverse distance", "1/d^2, where d is the distance to the cage element"},
-                 Weights::inverse},
-    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 at the distance d up to the radius, then 0"},
-                 Weights::cut_off},
-    WeightsEntry{
-        {"harmonic", "Harmonic",
-         "harmonic functions on the model's surface, largest at the vertices nearest to the cage element"},
-        Weights::harmonic,
-        true},
-    WeightsEntry{
-        {"biharmonic", "Biharmonic",
-         "biharmonic functions on the model's surface, smoother than harmonic; negative values become 0"},
-        Weights::biharmonic,
-        true},
-    WeightsEntry{{"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
-                 Weights::mean_value},
+constexpr base::Choice weights_table[] = {
+    {"inverse", "Inverse distance", "1/d^2, where d is the distance to the cage element"},
+    {"cutoff", "Cut-off", "(1 - d/radius)^2 at the distance d up to the radius, then 0"},
+    {"harmonic", "Harmonic",
+     "harmonic functions on the model's surface, largest at the vertices nearest to the cage element"},
+    {"biharmonic", "Biharmonic",
+     "biharmonic functions on the model's surface, smoother than harmonic; negative values become 0"},
+    {"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
 };
 
-constexpr std::array blend_table = {
-    BlendEntry{{"srl", "Log space",
-                "sums the logarithms of rotations and of stretches; both act around the blended centre"},
-               Blend::srl},
-    BlendEntry{{"mls-affine", "Least squares (MLS)", "fits an affine transformation by least squares"},
-               Blend::mls_affine,
-               true},
-    BlendEntry{{"mls-similarity", "Least squares, similarity",
-                "fits a rotation and a uniform scale by least squares"},
-               Blend::mls_similarity,
-               true},
-    BlendEntry{
-        {"mls-rigid", "Least squares, rigid", "fits a rotation by least squares"}, Blend::mls_rigid, true},
-    BlendEntry{{"linear", "Linear (LBS)", "weighted mean of the transformations"}, Blend::linear},
+constexpr base::Choice blend_table[] = {
+    {"srl", "Log space",
+     "sums the logarithms of rotations and of stretches; both act around the blended centre"},
+    {"mls-affine", "Least squares (MLS)", "fits an affine transformation by least squares"},
+    {"mls-similarity", "Least squares, similarity", "fits a rotation and a uniform scale by least squares"},
+    {"mls-rigid", "Least squares, rigid", "fits a rotation by least squares"},
+    {"linear", "Linear (LBS)", "weighted mean of the transformations"},
 };
-
-template <class Table, class Value>
-const auto& find(const Table& table, Value value) {
-  return *std::find_if(table.begin(), table.end(), [&](const auto& e) { return e.value == value; });
-}
 
 }  // namespace
 
@@ -58,20 +37,17 @@ std::string_view name(Elements elements) {
   return elements == Elements::face ? "faces" : "vertices";
 }
 
-std::span<const WeightsEntry> all_weights() {
+std::span<const base::Choice> choices(Weights) {
   return weights_table;
 }
-std::span<const BlendEntry> all_blends() {
+std::span<const base::Choice> choices(Blend) {
   return blend_table;
 }
+bool fits_points(Blend blend) {
+  return blend == Blend::mls_affine || blend == Blend::mls_similarity || blend == Blend::mls_rigid;
+}
 Elements elements_of(Weights weights, Blend blend) {
-  return weights == Weights::mean_value || entry(blend).of_points ? Elements::point : Elements::face;
-}
-const WeightsEntry& entry(Weights weights) {
-  return find(weights_table, weights);
-}
-const BlendEntry& entry(Blend blend) {
-  return find(blend_table, blend);
+  return weights == Weights::mean_value || fits_points(blend) ? Elements::point : Elements::face;
 }
 
 std::optional<std::string_view> conflict(const Scheme& scheme) {
@@ -89,9 +65,9 @@ bool fits(const PartialChoice& choice, const Scheme& s) {
 
 std::vector<Scheme> valid_schemes() {
   std::vector<Scheme> all;
-  for (const WeightsEntry& w : weights_table) {
-    for (const BlendEntry& b : blend_table) {
-      const Scheme scheme{{elements_of(w.value, b.value), w.value}, b.value};
+  for (const Weights weights : base::all_values<Weights>()) {
+    for (const Blend blend : base::all_values<Blend>()) {
+      const Scheme scheme{{elements_of(weights, blend), weights}, blend};
       if (!conflict(scheme)) all.push_back(scheme);
     }
   }
@@ -99,62 +75,56 @@ std::vector<Scheme> valid_schemes() {
 }
 
 std::string text(const Scheme& s) {
-  return std::string(entry(s.weighting.weights).name) + ", " + std::string(entry(s.blend).name) +
-         (s.stitched() ? ", arap" : "");
+  return std::string(base::entry_of(s.weighting.weights).word) + ", " +
+         std::string(base::entry_of(s.blend).word) + (s.stitched() ? ", arap" : "");
 }
 
 namespace {
 
-constexpr std::array ways_table = {
-    WayEntry{{"smooth", "Smooth", "best for most models: weights along the surface, blended in log space"},
-             Way::smooth,
-             Scheme{.weighting = {Elements::face, Weights::biharmonic}}},
-    WayEntry{{"paper", "As published", "as in the paper: inverse-distance weights, blended in log space"},
-             Way::paper,
-             Scheme{}},
-    WayEntry{{"mean-value", "Mean value",
-              "mean value coordinates: exact for affine poses, but rotated parts lose volume"},
-             Way::mean_value,
-             Scheme{.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear}},
-    WayEntry{
-        {"rigid", "Rigid", "rigid least squares: rotates without stretching, so details keep their size"},
-        Way::rigid,
-        Scheme{.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid}},
-    WayEntry{{"arap", "As rigid as possible",
-              "solves for the most rigid surface: preserves details best, but frames are slower"},
-             Way::arap,
-             Scheme{.weighting = {Elements::face, Weights::biharmonic}, .iterations = 1}},
-    WayEntry{{"local", "Local", "weights end at a radius: vertices beyond it stay at rest"},
-             Way::local,
-             Scheme{.weighting = {Elements::face, Weights::cut_off}}},
+constexpr base::Choice ways_table[] = {
+    {"smooth", "Smooth", "best for most models: weights along the surface, blended in log space"},
+    {"paper", "As published", "as in the paper: inverse-distance weights, blended in log space"},
+    {"mean-value", "Mean value",
+     "mean value coordinates: exact for affine poses, but rotated parts lose volume"},
+    {"rigid", "Rigid", "rigid least squares: rotates without stretching, so details keep their size"},
+    {"arap", "As rigid as possible",
+     "solves for the most rigid surface: preserves details best, but frames are slower"},
+    {"local", "Local", "weights end at a radius: vertices beyond it stay at rest"},
+};
+
+constexpr Scheme way_schemes[] = {
+    {.weighting = {Elements::face, Weights::biharmonic}},
+    {},
+    {.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear},
+    {.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid},
+    {.weighting = {Elements::face, Weights::biharmonic}, .iterations = 1},
+    {.weighting = {Elements::face, Weights::cut_off}},
 };
 
 }  // namespace
 
-std::span<const WayEntry> all_ways() {
+std::span<const base::Choice> choices(Way) {
   return ways_table;
-}
-const WayEntry& entry(Way way) {
-  return ways_table[static_cast<std::size_t>(way)];
 }
 
 Scheme scheme_of(Way way, const Scheme& now) {
-  Scheme s = entry(way).scheme;
+  Scheme s = way_schemes[static_cast<std::size_t>(way)];
   s.amounts = now.amounts;
   return s;
 }
 
 std::optional<Way> way_of(const Scheme& s) {
-  const auto is_it = [&](const WayEntry& way) {
-    return s.weighting.weights == way.scheme.weighting.weights && s.blend == way.scheme.blend &&
-           s.stitched() == way.scheme.stitched();
-  };
-  const auto found = std::ranges::find_if(ways_table, is_it);
-  return found == ways_table.end() ? std::nullopt : std::optional(found->value);
+  for (const Way way : base::all_values<Way>()) {
+    const Scheme scheme = scheme_of(way);
+    if (s.weighting.weights == scheme.weighting.weights && s.blend == scheme.blend &&
+        s.stitched() == scheme.stitched())
+      return way;
+  }
+  return std::nullopt;
 }
 
 Scheme default_scheme(bool has_triangles) {
-  return entry(has_triangles ? Way::smooth : Way::paper).scheme;
+  return scheme_of(has_triangles ? Way::smooth : Way::paper);
 }
 
 Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
@@ -222,8 +192,8 @@ constexpr std::array numbers_table = {
 std::span<const NumberEntry> all_numbers() {
   return numbers_table;
 }
-const NumberEntry& number(std::string_view name) {
-  return *std::ranges::find(numbers_table, name, &NumberEntry::name);
+const NumberEntry& number(std::string_view word) {
+  return *std::ranges::find(numbers_table, word, &NumberEntry::word);
 }
 
 double NumberEntry::percent(Scheme scheme) const {
@@ -246,7 +216,7 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   for (const NumberEntry& number : numbers_table) {
     const std::optional<double>& value = asked.*number.asked;
     if (!value) continue;
-    if (!number.need.met(scheme)) refuse(number.name, number.need);
+    if (!number.need.met(scheme)) refuse(number.word, number.need);
     number.of(scheme) = *value;
   }
   if (const auto reason = conflict(scheme))

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/choice.h"
 #include "sym3/exp.h"
 
 namespace viete::deform {
@@ -19,48 +20,20 @@ std::string_view name(Elements elements);
 
 /// The weights of the handles at a vertex. (Smooth weights with bounds, such as bounded biharmonic weights,
 /// would need a solver for quadratic programs with 10^5 or more unknowns. Debian 12 has no such package.)
-enum class Weights { inverse, mean_value, harmonic, biharmonic, cut_off };
+enum class Weights { inverse, cut_off, harmonic, biharmonic, mean_value };
+std::span<const base::Choice> choices(Weights);
 
 /// The quantities that are summed with the weights, and how the sums become a position.
-enum class Blend { srl, linear, mls_affine, mls_similarity, mls_rigid };
+enum class Blend { srl, mls_affine, mls_similarity, mls_rigid, linear };
+std::span<const base::Choice> choices(Blend);
+/// Returns true if the blend fits maps to points, and false if it blends maps of triangles.
+bool fits_points(Blend blend);
 
 /// How a frame is computed. `staged`: step by step, in double precision. `fused`: in one pass over the
 /// weights, in float. `stitched`: solves for the positions. The program chooses the engine, see engine_for().
 enum class EngineKind { staged, fused, stitched };
 
-/// The fields common to all tables of choices.
-struct ChoiceEntry {
-  std::string_view name;      ///< on the command line and in sessions
-  std::string_view label;     ///< in the window, for example "Faces"
-  std::string_view sentence;  ///< short description for tooltips and help
-};
-
-struct WeightsEntry : ChoiceEntry {
-  Weights value;
-  bool on_surface = false;  ///< true: functions on the model's surface; false: functions of points in space
-};
-
-struct BlendEntry : ChoiceEntry {
-  Blend value;
-  bool of_points = false;  ///< true: fits maps to points; false: blends maps of triangles
-};
-
-std::span<const WeightsEntry> all_weights();
-std::span<const BlendEntry> all_blends();
-const WeightsEntry& entry(Weights weights);
-const BlendEntry& entry(Blend blend);
-
 Elements elements_of(Weights weights, Blend blend);
-
-/// Returns the value with this name in a table, or nullopt.
-template <class Entry>
-auto find_by_name(std::span<const Entry> table, std::string_view name)
-    -> std::optional<decltype(Entry::value)> {
-  for (const Entry& e : table) {
-    if (e.name == name) return e.value;
-  }
-  return std::nullopt;
-}
 
 /// Limit of Scheme::iterations. More iterations change almost nothing.
 inline constexpr int most_iterations = 20;
@@ -75,6 +48,8 @@ struct Weighting {
   /// Returns true if weights end at the radius. If so, the weights of a vertex may sum to less than 1, see
   /// Shares.
   bool partial() const { return weights == Weights::cut_off; }
+  /// Returns true if the weights are functions on the model's surface, and false if of points in space.
+  bool on_surface() const { return weights == Weights::harmonic || weights == Weights::biharmonic; }
   /// Returns true if negative weights are set to 0 and the other weights are rescaled to sum 1.
   bool clamped() const { return weights == Weights::biharmonic; }
   /// Returns true if a and b give equal weights.
@@ -137,21 +112,14 @@ struct PartialChoice {
 };
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
-/// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
+/// Returns all compatible pairs of weights and blend, unstitched and with default numbers.
 std::vector<Scheme> valid_schemes();
 
 /// Returns the names of weights and blend, for example "inverse, srl". If stitched, adds ", arap".
 std::string text(const Scheme& scheme);
 
 enum class Way { smooth, paper, mean_value, rigid, arap, local };
-
-struct WayEntry : ChoiceEntry {
-  Way value;
-  Scheme scheme;
-};
-
-std::span<const WayEntry> all_ways();
-const WayEntry& entry(Way way);
+std::span<const base::Choice> choices(Way);
 
 /// Returns the scheme of a deformer, with the amounts of `now`.
 Scheme scheme_of(Way way, const Scheme& now = {});
@@ -196,7 +164,7 @@ struct AskedScheme {
 };
 
 /// A setting that is a fraction. Users see and type percent; libraries use the fraction.
-struct NumberEntry : ChoiceEntry {
+struct NumberEntry : base::Choice {
   /// The condition under which a scheme uses the setting, and the error if the condition is not met.
   struct Need {
     bool (*met)(const Scheme& scheme);
@@ -214,7 +182,7 @@ struct NumberEntry : ChoiceEntry {
 std::string text_of_percent(double fraction);
 /// The settings "radius", "rotation", "stretch", "attach" and "hold".
 std::span<const NumberEntry> all_numbers();
-const NumberEntry& number(std::string_view name);
+const NumberEntry& number(std::string_view word);
 
 /// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. `chosen` is true if
 /// weights were chosen by name earlier, for example in a session. Otherwise, if `asked` has a radius, but

@@ -83,14 +83,14 @@ public:
   Binder(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
          base::Progress* progress, const KnownRow& known)
       : model_(model),
-        row_(entry(weighting.weights).on_surface ? known : KnownRow()),
+        row_(weighting.on_surface() ? known : KnownRow()),
         weigher_(cage, weighting),
         pool_(pool),
         progress_(progress),
         b_(lay_out(model, cage, weighting, progress)) {}
 
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
-    if (entry(b_.weighting.weights).on_surface && !row_) solve_surface_weights();
+    if (b_.weighting.on_surface() && !row_) solve_surface_weights();
     const bool local = b_.weighting.partial(), sample = worth_sampling(tolerance) || local;
     require(local ? 0 : sample ? 0.25 : 1);  // the size of lists is unknown before the sample
     const Costs shares = sample ? sampled_shares(tolerance) : Costs();
@@ -560,7 +560,7 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   // neighbours.
   const double fused = (compressed ? 1.1 * k : 4 * k) + (weighting.partial() ? 24 : 12) + 20 + 32 + 20;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
-  if (entry(weighting.weights).on_surface) {
+  if (weighting.on_surface()) {
     const double system = surface_system_bytes(vertices);
     // For the fused engine, solved weights stay until they are compressed, but the solver does not.
     const double solved = 4 * static_cast<double>(solved_vertices(vertices)) * k;
@@ -573,7 +573,7 @@ TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weig
                         base::WorkerPool& pool, double tolerance, base::Progress* progress,
                         std::optional<Storage> storage, const KnownRow& known) {
   const std::size_t n = model.positions.size(), k = handle_count(cage, weighting.elements);
-  if (entry(weighting.weights).on_surface && !known) {
+  if (weighting.on_surface() && !known) {
     const auto bytes = static_cast<double>(binding_bytes(n, k, EngineKind::fused, weighting));
     base::require_memory(binding_memory(bytes, n, k));
   }

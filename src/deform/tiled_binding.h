@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -109,9 +108,6 @@ bool compressible(std::size_t vertices, std::size_t handles);
 /// and binding.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
-
-/// Writes the weights of a vertex. Thread-safe.
-using KnownRow = std::function<void(std::uint32_t vertex, std::span<double> row)>;
 
 /// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Weights with a radius are
 /// stored as lists. All other weights are compressed if `tolerance` is not 0 and tests on some leaves show

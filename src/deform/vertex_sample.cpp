@@ -14,7 +14,8 @@ namespace viete::deform {
 
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex) {
-  const Binding part = BoundVertices(weigher, binding, mask).part(std::array{vertex});
+  const Binding part =
+      bind_vertices(weigher, *binding.rest, known_row(binding), mask, std::array{vertex}).binding;
   const double share = part.shares.empty() ? 1 : part.shares[0];
   VertexSum sum;
   sum.has_logs = rows.form == RowForm::logs;
@@ -36,28 +37,6 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
     sum.turn = sum.turn + term.weight * term.turn;
   }
   return sum;
-}
-
-BoundVertices::BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask)
-    : weigher_(weigher), binding_(binding), mask_(mask) {
-  if (entry(binding.weighting.weights).on_surface && binding.weights.empty())
-    slots_ = slots_of(binding.tiles->leaves);
-}
-
-Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
-  const std::size_t k = weigher_.handles();
-  std::vector<double> rows;
-  if (entry(binding_.weighting.weights).on_surface) rows.resize(vertices.size() * k);
-  for (std::size_t i = 0; i * k < rows.size(); ++i) {
-    const std::span row = std::span(rows).subspan(i * k, k);
-    if (slots_.empty())
-      std::copy_n(binding_.weights.data() + vertices[i] * k, k, row.begin());
-    else
-      binding_.tiles->kept_row(slots_[vertices[i]], row);
-  }
-  Binding part = bind_part(weigher_, picked(std::span(*binding_.rest), vertices), std::move(rows)).binding;
-  part.shares = product(std::move(part.shares), picked(values(mask_), vertices));
-  return part;
 }
 
 namespace {
@@ -92,12 +71,12 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
   constexpr std::size_t portion = 256;
   if (rows.form != RowForm::logs) return {};
   const auto vertices = spread_vertices(binding.vertices, limit);
-  const BoundVertices bound(weigher, binding, mask);
+  const KnownRow row = known_row(binding);
   std::vector<sym3::Sym3<double>> sample(vertices.size());
   for (std::size_t begin = 0; begin < vertices.size(); begin += portion) {
     if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(vertices.size()));
     const auto some = std::span(vertices).subspan(begin, std::min(portion, vertices.size() - begin));
-    const Binding part = bound.part(some);
+    const Binding part = bind_vertices(weigher, *binding.rest, row, mask, some).binding;
     std::vector<double> sums(some.size() * log_shape.columns);
     blend({part, part.shares}, rows, 0, some.size(), sums);
     stretch_logs(sums, 0, some.size(), std::span(sample).subspan(begin));

@@ -34,20 +34,6 @@ struct VertexSum {
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
-/// Binds selected vertices of a binding, with shares multiplied by the mask. Reads weights along the surface
-/// from the staged engine's data or, if these are missing, from the tiles. Keeps references to arguments.
-class BoundVertices {
-public:
-  BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask);
-  Binding part(std::span<const std::size_t> vertices) const;
-
-private:
-  const Weigher& weigher_;
-  const Binding& binding_;
-  const Mask& mask_;
-  std::vector<std::uint32_t> slots_;  // the slot of each vertex; empty if weights are not read from tiles
-};
-
 /// Returns the error of a frame: the largest distance of a vertex from its exact position, relative to the
 /// cage's diagonal. Compares the vertices of spread_vertices(n, error_sample). Exact positions are computed
 /// in double precision from exact weights. If `layer` is not null, it moves them. `ways` are the shape's

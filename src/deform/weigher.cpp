@@ -43,7 +43,7 @@ Weigher::Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kerne
   const auto centers = handle_centers(cage, weighting.elements);
   handles_ = relative_to(origin_, {centers.begin(), centers.end()});
   for (const Vec3& p : cage.elements.positions) corners_.push_back(scaled(p));
-  if (entry(weighting.weights).on_surface) return;
+  if (weighting.on_surface()) return;
   weighting.weights == Weights::mean_value ? add_views() : add_triangles();
 }
 

@@ -10,7 +10,6 @@
 
 namespace viete::document {
 
-using cages::all_kinds, cages::all_symmetries;
 using cages::least_margin, cages::least_triangles, cages::most_cells, cages::most_gap, cages::most_margin;
 using CageKind = cages::Kind;
 using CageSymmetry = cages::Symmetry;

@@ -28,11 +28,9 @@
 
 namespace viete::document {
 
-using deform::all_blends, deform::all_ways, deform::all_weights, deform::chosen, deform::complete,
-    deform::entry, deform::only, deform::way_of;
-using deform::all_falloffs, deform::all_probe_mixes, deform::linear_part;
 using deform::Amounts, deform::Blend, deform::Holding, deform::most_iterations, deform::number,
     deform::Scheme, deform::text_of_percent, deform::Weighting;
+using deform::chosen, deform::complete, deform::linear_part, deform::only, deform::way_of;
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 

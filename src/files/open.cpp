@@ -485,8 +485,8 @@ Opened open_files(const OpenRequest& request, const document::Document& current,
     document.put_cage_beside(document::cage_beside(document.model().path));
   put_settings(document, request.settings, opened.has_settings);
   const bool surfaceless = document.model().surface->triangles.empty() && !opened.has_settings;
-  if (surfaceless && deform::entry(document.scheme().weighting.weights).on_surface &&
-      !request.settings.choice.weights && !request.settings.way)
+  if (surfaceless && document.scheme().weighting.on_surface() && !request.settings.choice.weights &&
+      !request.settings.way)
     document.put_scheme(
         deform::complete(document::only(deform::default_scheme(false).weighting.weights), document.scheme()));
   opened.has_settings |= request.settings.any();

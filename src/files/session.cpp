@@ -53,12 +53,6 @@ constexpr ViewFlag view_flags[] = {{"dark", &document::ViewOptions::dark},
 constexpr std::array<std::string_view, 4> kind_words = {"vertices", "edges", "faces", "probes"};
 constexpr std::array<std::string_view, 2> axis_words = {"y", "z"}, pin_words = {"holds", "pulls"};
 
-template <class T, class Table>
-void code_named(const JsonField& f, T& value, const Table& table) {
-  code_word(f, value, deform::entry(value).name,
-            [&](std::string_view name) { return deform::find_by_name(table, name); });
-}
-
 }  // namespace
 
 // The functions code() are not in the unnamed namespace, because templates find them by argument-dependent
@@ -66,18 +60,6 @@ void code_named(const JsonField& f, T& value, const Table& table) {
 
 static void code(const JsonField& f, sym3::Method& method) {
   code_word(f, method, sym3::name(method), sym3::method_from_name);
-}
-static void code(const JsonField& f, deform::Weights& weights) {
-  code_named(f, weights, deform::all_weights());
-}
-static void code(const JsonField& f, deform::Blend& blend) {
-  code_named(f, blend, deform::all_blends());
-}
-static void code(const JsonField& f, deform::Falloff& falloff) {
-  code_named(f, falloff, deform::all_falloffs());
-}
-static void code(const JsonField& f, deform::ProbeMix& mix) {
-  code_named(f, mix, deform::all_probe_mixes());
 }
 static void code(const JsonField& f, document::ElementKind& kind) {
   code_listed(f, kind, kind_words);
@@ -110,7 +92,7 @@ static void code(const JsonField& f, deform::Scheme& scheme) {
   f.unless(0, "iterations", scheme.iterations, Limits{1, deform::most_iterations});
   deform::Scheme usual;
   for (const deform::NumberEntry& number : deform::all_numbers())
-    f.unless(number.of(usual), number.name.data(), number.of(scheme), percent(number.least, number.largest));
+    f.unless(number.of(usual), number.word.data(), number.of(scheme), percent(number.least, number.largest));
   if (!f.reads()) return;
   if (const auto reason = deform::conflict(scheme)) f.in().at("iterations").fail(std::string(*reason));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/background.h"
+#include "base/choice.h"
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/text.h"
@@ -40,14 +41,13 @@ inline std::string plain(double value) {
   return base::formatted("%.6g", value);
 }
 
-/// Returns the table's value for this name. If the name is not valid, throws base::Error with all names.
-template <class Entry>
-auto named(std::span<const Entry> table, const std::string& name, const char* what) {
+/// Returns the value with this name. If the name is not valid, throws base::Error with all names.
+template <class Value>
+Value named(const std::string& name, const char* what) {
+  if (const auto value = base::value_of_word<Value>(name)) return *value;
   std::string names;
-  for (const Entry& entry : table) {
-    if (entry.name == name) return entry.value;
-    names += (names.empty() ? "" : ", ") + std::string(entry.name);
-  }
+  for (const base::Choice& choice : choices(Value{}))
+    names += (names.empty() ? "" : ", ") + std::string(choice.word);
   throw base::Error(what, "unknown name " + name, "choose one of " + names);
 }
 

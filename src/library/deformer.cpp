@@ -21,24 +21,22 @@ namespace viete {
 
 namespace {
 
-template <class Entry, class Value>
-void take(std::span<const Entry> table, const std::string& name, const char* what,
-          std::optional<Value>& value) {
-  if (!name.empty()) value = library::named(table, name, what);
+template <class Value>
+void take(const std::string& name, const char* what, std::optional<Value>& value) {
+  if (!name.empty()) value = library::named<Value>(name, what);
 }
 
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
   // Smooth weights spread along the surface. A model without faces therefore gets another default deformer.
-  if (has_triangles || b.deformer != Blending{}.deformer)
-    take(deform::all_ways(), b.deformer, "deformer", asked.way);
-  take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
-  take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
+  if (has_triangles || b.deformer != Blending{}.deformer) take(b.deformer, "deformer", asked.way);
+  take(b.weights, "weights", asked.choice.weights);
+  take(b.blend, "blend", asked.choice.blend);
   asked.radius = b.radius, asked.rotation = b.rotation, asked.stretch = b.stretch;
   asked.arap = b.arap, asked.iterations = b.iterations, asked.attach = b.attach, asked.hold = b.hold;
   for (const deform::NumberEntry& number : deform::all_numbers())
     if (const auto& value = asked.*number.asked)
-      library::check_range(number.name.data(), *value, number.least, number.largest);
+      library::check_range(number.word.data(), *value, number.least, number.largest);
   if (b.iterations) library::check_range("iterations", *b.iterations, 1, deform::most_iterations);
   return deform::scheme_of(asked, deform::default_scheme(has_triangles));
 }
@@ -72,23 +70,26 @@ void write(std::span<const mesh::Point> points, std::span<double> to) {
 
 std::string library::settings_text() {
   std::string text;
-  const auto list = [&](const std::string& title, const auto& table) {
-    text += "\n" + title;
-    for (const auto& entry : table)
-      text += "\n  '" + std::string(entry.name) + "': " + std::string(entry.sentence);
+  const auto add = [&](std::string_view name, std::string_view about) {
+    text += "\n  '" + std::string(name) + "': " + std::string(about);
   };
-  list("deformer: decides how the cage moves the model.", deform::all_ways());
+  const auto list = [&](const std::string& title, std::span<const base::Choice> values) {
+    text += "\n" + title;
+    for (const base::Choice& value : values) add(value.word, value.hint);
+  };
+  list("deformer: decides how the cage moves the model.", choices(deform::Way{}));
   list("weights: replaces the weights of the deformer. Some weights allow only some blends.",
-       deform::all_weights());
-  list("blend: replaces the blend of the deformer.", deform::all_blends());
+       choices(deform::Weights{}));
+  list("blend: replaces the blend of the deformer.", choices(deform::Blend{}));
   text +=
       "\narap: True solves for a mesh that is as rigid as possible.\niterations: ARAP: number of solves, 1 "
       "to " +
       std::to_string(deform::most_iterations) + ".";
   for (const deform::NumberEntry& number : deform::all_numbers())
-    text += "\n" + std::string(number.name) + ": " + std::string(number.sentence) + "; a fraction from " +
+    text += "\n" + std::string(number.word) + ": " + std::string(number.hint) + "; a fraction from " +
             plain(number.least) + " to " + plain(number.largest) + ".";
-  list("method: the method for matrix exponentials.", sym3::methods());
+  list("method: the method for matrix exponentials.", {});
+  for (const sym3::MethodEntry& method : sym3::methods()) add(method.name, method.sentence);
   return text;
 }
 

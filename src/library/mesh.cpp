@@ -145,8 +145,8 @@ void write_mesh(const std::filesystem::path& file, const Mesh& mesh, std::vector
 
 Mesh make_cage(const Mesh& model, const CageWish& asked, const Watch& watch) {
   cages::Wish wish;
-  wish.kind = library::named(cages::all_kinds(), asked.kind, "kind");
-  wish.symmetry = library::named(cages::all_symmetries(), asked.symmetry, "symmetry");
+  wish.kind = library::named<cages::Kind>(asked.kind, "kind");
+  wish.symmetry = library::named<cages::Symmetry>(asked.symmetry, "symmetry");
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   using library::check_range;
   check_range("triangles", count(asked.triangles), count(cages::least_triangles),

@@ -37,22 +37,18 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
   ImGui::EndCombo();
 }
 
-/// Like choice_list(), for a table without commands. Returns the newly chosen value, or nullopt.
-template <class Entry, class Value = decltype(Entry::value)>
-std::optional<Value> entry_list(const Context& ui, const std::string& name, std::span<const Entry> table,
-                                Value now) {
-  const auto label = [](const Entry& e) -> std::string_view {
-    if constexpr (requires { e.label; })
-      return e.label;
-    else
-      return e.name;
-  };
-  const Entry& shown = *std::ranges::find(table, now, &Entry::value);
+/// Like choice_list(), without commands. Returns the newly chosen value, or nullopt.
+template <class Value>
+std::optional<Value> entry_list(const Context& ui, const std::string& name, std::optional<Value> now,
+                                const char* none = "") {
   std::optional<Value> chosen;
-  if (!begin_list(ui, name, label(shown).data(), std::string(shown.sentence))) return chosen;
-  for (const Entry& e : table)
-    if (list_entry(ui, label(e), name + '_' + std::string(e.name), e.value == now, e.sentence))
-      chosen = e.value;
+  const char* const shown = now ? base::entry_of(*now).label.data() : none;
+  if (!begin_list(ui, name, shown, now ? std::string(base::entry_of(*now).hint) : "")) return chosen;
+  for (const Value value : base::all_values<Value>()) {
+    const base::Choice& entry = base::entry_of(value);
+    if (list_entry(ui, entry.label, name + '_' + std::string(entry.word), value == now, entry.hint))
+      chosen = value;
+  }
   ImGui::EndCombo();
   return chosen;
 }

@@ -116,12 +116,11 @@ void cells(const Context& ui, document::CageWish& wish) {
   record(ui, "cage_own_axes");
 }
 
-template <class Entry, class Value>
-void choice(const Context& ui, const char* text, const std::string& name, std::span<const Entry> table,
-            Value& value) {
+template <class Value>
+void choice(const Context& ui, const char* text, const std::string& name, Value& value) {
   row_label(text, making_label);
   ImGui::SetNextItemWidth(-1);
-  value = entry_list(ui, name, table, value).value_or(value);
+  value = entry_list(ui, name, std::optional(value)).value_or(value);
 }
 
 }  // namespace
@@ -129,7 +128,7 @@ void choice(const Context& ui, const char* text, const std::string& name, std::s
 void panel_making(const Context& ui) {
   document::CageMaking& making = ui.workspace.making;
   document::CageWish& wish = making.wish;
-  choice(ui, "Kind", "cage_kind", document::all_kinds(), wish.kind);
+  choice(ui, "Kind", "cage_kind", wish.kind);
   if (wish.kind == document::CageKind::box) {
     cells(ui, wish);
   } else {
@@ -142,7 +141,7 @@ void panel_making(const Context& ui) {
         ui, "Close gaps", "cage_gap", wish.gap, 0.001, 0.1,
         "Close gaps narrower than twice this distance, in percent of the model's diagonal. Joins parts that "
         "are close to each other, such as fingers.");
-    choice(ui, "Symmetry", "cage_symmetry", document::all_symmetries(), wish.symmetry);
+    choice(ui, "Symmetry", "cage_symmetry", wish.symmetry);
     checkbox(ui, "Mostly quads", "cage_quads", wish.quads, "Pair triangles that form good quads.");
   }
   if (document::shows_generated(ui.workspace.document, making)) {  // false after an undo

@@ -17,7 +17,7 @@ namespace viete::ui {
 
 namespace {
 
-using document::entry;
+using base::entry_of;
 
 constexpr float chooser_label = 84;
 
@@ -29,39 +29,38 @@ std::string consequences(const workspace::Workspace& w, const document::Scheme& 
   const auto say = [&](const char* what, std::string_view before, std::string_view after) {
     if (before != after && after != chosen) text += '\n' + std::string(what) + ": " + std::string(after);
   };
-  say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
-  say("Blend", entry(now.blend).label, entry(next.blend).label);
+  say("Weights", entry_of(now.weighting.weights).label, entry_of(next.weighting.weights).label);
+  say("Blend", entry_of(now.blend).label, entry_of(next.blend).label);
   if (w.document.has_cage() && now.weighting != next.weighting)
     text += '\n' + document::binding_plan(w.document, next.weighting) + " of memory.";
   return text;
 }
 
-template <class Entry>
-void choice(const Context& ui, const Entry& choice, bool chosen) {
+template <class Value>
+void choice(const Context& ui, Value value, bool chosen) {
   workspace::Workspace& w = ui.workspace;
-  const workspace::Command& command = *workspace::find_command(workspace::choice_command_name(choice.value));
+  const workspace::Command& command = *workspace::find_command(workspace::choice_command_name(value));
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   if (ImGui::Selectable(command.brief.data(), chosen)) command.run(w);
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
-  const document::Scheme next = document::chosen(choice.value, w.document.scheme());
-  hint(std::string(choice.sentence) + consequences(w, next, choice.label));
+  const document::Scheme next = document::chosen(value, w.document.scheme());
+  hint(std::string(entry_of(value).hint) + consequences(w, next, entry_of(value).label));
 }
 
-// A drop-down list of the table's entries. Without a label, the list fills the line.
-template <class Entry, class Value>
-void chooser(const Context& ui, const char* name, const char* label, std::span<const Entry> table,
-             std::optional<Value> chosen) {
+// A drop-down list of all values. Without a label, the list fills the line.
+template <class Value>
+void chooser(const Context& ui, const char* name, const char* label, std::optional<Value> chosen) {
   if (*label) row_label(label, chooser_label);
   ImGui::SetNextItemWidth(-1);
   const std::string id = std::string("##") + name;
-  const char* shown = chosen ? entry(*chosen).label.data() : "Custom";
+  const char* shown = chosen ? entry_of(*chosen).label.data() : "Custom";
   const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
   record(ui, name);
   if (!open && !chosen)
     return hint("Weights and blend were chosen separately, in Analysis, Custom deformer.");
-  if (!open) return hint(std::string(entry(*chosen).sentence));
-  for (const Entry& e : table) choice(ui, e, e.value == chosen);
+  if (!open) return hint(std::string(entry_of(*chosen).hint));
+  for (const Value value : base::all_values<Value>()) choice(ui, value, value == chosen);
   ImGui::EndCombo();
 }
 
@@ -87,7 +86,7 @@ void number_slider(const Context& ui, const char* name, std::span<const double> 
   };
   const Slid slid = slider(ui, name, 100 * shown, 100 * number.least, 100 * number.largest, draw, used);
   ImGui::EndDisabled();
-  hint((used ? std::string(number.sentence) : "Not available: " + std::string(number.need.problem)) + '.');
+  hint((used ? std::string(number.hint) : "Not available: " + std::string(number.need.problem)) + '.');
   ImGui::BeginDisabled(!used);
   value_beside(right, document::text_of_percent(shown));
   ImGui::EndDisabled();
@@ -128,15 +127,15 @@ void arap(const Context& ui) {
 void panel_custom(const Context& ui) {
   if (!section(ui, "Custom deformer", false)) return;
   const document::Scheme& scheme = ui.workspace.document.scheme();
-  chooser(ui, "weights", "Weights", document::all_weights(), std::optional(scheme.weighting.weights));
-  chooser(ui, "blend", "Blend", document::all_blends(), std::optional(scheme.blend));
+  chooser(ui, "weights", "Weights", std::optional(scheme.weighting.weights));
+  chooser(ui, "blend", "Blend", std::optional(scheme.blend));
   arap(ui);
 }
 
 void panel_deformer(const Context& ui) {
   const document::Scheme& scheme = ui.workspace.document.scheme();
   heading(ui, "Deformer");
-  chooser(ui, "way", "", document::all_ways(), document::way_of(scheme));
+  chooser(ui, "way", "", document::way_of(scheme));
   constexpr std::array radii{0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
   if (scheme.weighting.partial()) number_slider(ui, "radius", radii);
   std::array<double, 41> amounts;

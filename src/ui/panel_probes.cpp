@@ -23,7 +23,7 @@ void influence(const Context& ui, const char* label, const char* name, document:
   const std::string prefix = std::string("probe_") + name;
   constexpr float falloff_width = 92;
   ImGui::SetNextItemWidth(falloff_width);
-  const auto falloff = entry_list(ui, prefix, document::all_falloffs(), shown.falloff);
+  const auto falloff = entry_list(ui, prefix, std::optional(shown.falloff));
   ImGui::SameLine();
   const double unit = 0.01 * document.space().diagonal(), least = document::least_probe_radius(document),
                most = document::largest_probe_radius(document);
@@ -63,7 +63,7 @@ void mix(const Context& ui) {
   document::Document& document = ui.workspace.document;
   row_label("Combine", probe_label);
   ImGui::SetNextItemWidth(-1);
-  const auto chosen = entry_list(ui, "probe_mix", document::all_probe_mixes(), document.probes().mix);
+  const auto chosen = entry_list(ui, "probe_mix", std::optional(document.probes().mix));
   if (chosen) document::set_mix(document, *chosen);
 }
 

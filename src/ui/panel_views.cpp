@@ -11,12 +11,8 @@ namespace viete::ui {
 namespace {
 
 void way_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
-  const auto now = document::way_of(side.scheme);
-  if (!begin_list(ui, name, now ? document::entry(*now).label.data() : "Custom", "")) return;
-  for (const auto& entry : document::all_ways())
-    if (list_entry(ui, entry.label, name + '_' + std::string(entry.name), now == entry.value, entry.sentence))
-      side.scheme = document::chosen(entry.value, ui.workspace.document.scheme());
-  ImGui::EndCombo();
+  if (const auto way = entry_list(ui, name, document::way_of(side.scheme), "Custom"))
+    side.scheme = document::chosen(*way, ui.workspace.document.scheme());
 }
 
 void method_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
@@ -29,13 +25,7 @@ void method_list(const Context& ui, const std::string& name, workspace::SplitVie
 }
 
 void map_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
-  if (!begin_list(ui, name, base::entry_of(side.field).label.data(), "")) return;
-  for (const base::Choice& choice : choices(side.field)) {
-    const auto field = *base::value_of_word<analysis::Field>(choice.word);
-    if (list_entry(ui, choice.label, name + '_' + std::string(choice.word), side.field == field, choice.hint))
-      side.field = field;
-  }
-  ImGui::EndCombo();
+  side.field = entry_list(ui, name, std::optional(side.field)).value_or(side.field);
 }
 
 void side_rows(const Context& ui, std::size_t number, workspace::SplitView& side) {

@@ -33,7 +33,7 @@ struct Caption {
 
 std::string way_words(const document::Scheme& scheme) {
   const auto way = document::way_of(scheme);
-  return way ? std::string(document::entry(*way).label) : "Custom";
+  return way ? std::string(base::entry_of(*way).label) : "Custom";
 }
 
 // The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-08".

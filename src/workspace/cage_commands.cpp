@@ -58,13 +58,9 @@ void change_cage(Workspace& w) {
   w.view.interaction.hovered.reset();
 }
 
-template <class Entry>
-void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
-  for (const Entry& entry : entries)
-    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, no_drag_runs,
-                 [value = entry.value](Workspace& w) {
-                   set_scheme(w.document, deform::chosen(value, w.document.scheme()));
-                 });
+template <class Value>
+void choose_scheme(Workspace& w, Value value) {
+  set_scheme(w.document, deform::chosen(value, w.document.scheme()));
 }
 
 void add_methods(CommandTable& table) {
@@ -135,9 +131,9 @@ void add_blend_commands(CommandTable& table) {
   table.heading("Method");
   add_methods(table);
   table.heading("Blend");
-  add_table(table, deform::all_ways(), "Deformer");
-  add_table(table, deform::all_weights(), "Weights");
-  add_table(table, deform::all_blends(), "Blend");
+  add_choices<deform::Way>(table, "Deformer", no_drag_runs, choose_scheme);
+  add_choices<deform::Weights>(table, "Weights", no_drag_runs, choose_scheme);
+  add_choices<deform::Blend>(table, "Blend", no_drag_runs, choose_scheme);
   table.add(
       "toggle_arap", {"As rigid as possible (ARAP)", "ARAP"},
       "Solve for the whole mesh so that its triangles deform as rigidly as possible. Preserves details, "

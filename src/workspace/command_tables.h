@@ -84,11 +84,7 @@ constexpr const char* choice_prefix() {
 template <class Value>
 std::string choice_command_name(Value value) {
   std::string name = choice_prefix<Value>();
-  if constexpr (requires { choices(value); }) {
-    name += entry_of(value).word;
-  } else {
-    name += deform::entry(value).name;
-  }
+  name += base::entry_of(value).word;
   std::ranges::replace(name, '-', '_');
   return name;
 }

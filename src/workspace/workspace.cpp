@@ -74,8 +74,8 @@ deform::Scheme unused_scheme(const Workspace& w) {
       if (shown_way(w, view).scheme == scheme) return true;
     return false;
   };
-  for (const deform::WayEntry& entry : deform::all_ways()) {
-    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme());
+  for (const auto way : base::all_values<deform::Way>()) {
+    const deform::Scheme scheme = deform::scheme_of(way, w.document.scheme());
     if (!is_used(scheme)) return scheme;
   }
   return w.document.scheme();

@@ -43,7 +43,7 @@ mesh::Surface points_about(const mesh::Surface& cage, Random& random) {
 // Returns the largest allowed error, in diagonals of the posed cage: at least three times the measured error.
 double staged_bound(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value) return 1e-13;
-  return entry(scheme.weighting.weights).on_surface ? 3e-14 : 1e-14;
+  return scheme.weighting.on_surface() ? 3e-14 : 1e-14;
 }
 
 void compare(Scheme scheme, const mesh::Surface& cage, const mesh::Surface& model, const Pose& pose) {
@@ -80,7 +80,7 @@ TEST_CASE("frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision" * 
     for (int n = 0; n < rounds(1, 4); ++n) {
       const Pose pose{mapped(cage.positions, Waves(random, size)), {}};
       for (const Scheme& scheme : valid_schemes()) {
-        const bool on_surface = entry(scheme.weighting.weights).on_surface;
+        const bool on_surface = scheme.weighting.on_surface();
         if (!on_surface || &cage == cages) compare(scheme, cage, on_surface ? model : points, pose);
       }
     }
@@ -98,7 +98,7 @@ TEST_CASE("frames_of_turns_beyond_180_degrees_agree_with_an_evaluation_in_quad_p
   for (const auto& t : twists) {
     const Twist twist{2, {0, 0, 0}, -1.5, 1.5, t.low * degree, t.high * degree};
     for (const Scheme& scheme : valid_schemes()) {
-      if (scheme.weighting.partial() || entry(scheme.weighting.weights).on_surface) continue;
+      if (scheme.weighting.partial() || scheme.weighting.on_surface()) continue;
       compare(scheme, cage, points, {mapped(cage.positions, twist), {t.turn}});
     }
   }

@@ -156,7 +156,7 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
     const auto matrices = f.fused.sample_matrices(100), same = f.staged.deformer.sample_matrices(100);
     CHECK(matrices.size() == (exponential ? 100 : 0));
     // The fused deformer reads weights along the surface from its tiles, which store floats.
-    const double bound = entry(scheme.weighting.weights).on_surface ? 1e-5 : 1e-13;
+    const double bound = scheme.weighting.on_surface() ? 1e-5 : 1e-13;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const auto &a = matrices[i], &b = same[i];
       CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < bound);

@@ -401,7 +401,7 @@ Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Q
 Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                 const std::vector<Element>& elements, const std::vector<Quad>& w,
                 const deform::Scheme& scheme) {
-  if (deform::entry(scheme.blend).of_points) {
+  if (deform::fits_points(scheme.blend)) {
     const Quad share = sum_of(w);
     if (!(share > 0)) return x;
     auto whole = w;
@@ -426,7 +426,7 @@ IndependentFrame deform_independently(std::span<const mesh::Point> points, const
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector x = quad(points[i]);
     std::vector<Quad> weights;
-    if (deform::entry(scheme.weighting.weights).on_surface) {
+    if (scheme.weighting.on_surface()) {
       const std::size_t handles = pose.weights.size() / points.size();
       const auto row = pose.weights.subspan(i * handles, handles);
       weights.assign(row.begin(), row.end());

@@ -70,7 +70,7 @@ std::vector<mesh::Point> deformed(const mesh::Surface& model, const mesh::Surfac
 
 std::vector<Scheme> every_scheme() {
   auto schemes = valid_schemes();
-  for (const WayEntry& way : all_ways()) schemes.push_back(way.scheme);
+  for (const Way way : base::all_values<Way>()) schemes.push_back(scheme_of(way));
   return schemes;
 }
 
@@ -274,9 +274,9 @@ TEST_CASE("a_repeated_face_of_a_cage_is_ignored_with_a_note") {
   CHECK(cage.closed);
   const mesh::Surface model = jittered(test::sphere(2), 0.01);
   const auto pose = jittered(once, 0.3).positions;
-  for (const WayEntry& way : all_ways())
-    CHECK(largest_distance(deformed(model, twice, pose, way.scheme),
-                           deformed(model, once, pose, way.scheme)) < 1e-13);
+  for (const Way way : base::all_values<Way>())
+    CHECK(largest_distance(deformed(model, twice, pose, scheme_of(way)),
+                           deformed(model, once, pose, scheme_of(way))) < 1e-13);
 }
 
 TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically") {

@@ -116,21 +116,20 @@ TEST_CASE("vertices_out_of_reach_and_resting_probes_change_no_bit") {
 }
 
 TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
-  for (const auto& falloff : all_falloffs()) {
-    INFO(std::string(falloff.name));
-    CHECK(find_by_name(all_falloffs(), falloff.name) == falloff.value);
-    if (falloff.value == Falloff::none) {
-      CHECK(weight_at(falloff.value, 0) == 0);
+  for (const Falloff falloff : viete::base::all_values<Falloff>()) {
+    INFO(std::string(viete::base::entry_of(falloff).word));
+    CHECK(viete::base::value_of_word<Falloff>(viete::base::entry_of(falloff).word) == falloff);
+    if (falloff == Falloff::none) {
+      CHECK(weight_at(falloff, 0) == 0);
       continue;
     }
-    CHECK(weight_at(falloff.value, 0) == 1);
-    for (int i = 0; i < 300; ++i)
-      CHECK(weight_at(falloff.value, 0.01 * (i + 1)) <= weight_at(falloff.value, 0.01 * i));
-    CHECK((weight_at(falloff.value, 1) == 0) == (falloff.value != Falloff::endless));
+    CHECK(weight_at(falloff, 0) == 1);
+    for (int i = 0; i < 300; ++i) CHECK(weight_at(falloff, 0.01 * (i + 1)) <= weight_at(falloff, 0.01 * i));
+    CHECK((weight_at(falloff, 1) == 0) == (falloff != Falloff::endless));
   }
   CHECK(weight_at(Falloff::endless, 1) == 0.5);
-  for (const auto& falloff : all_falloffs())
-    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // distance / radius, for a radius of almost 0
+  for (const Falloff falloff : viete::base::all_values<Falloff>())
+    CHECK(weight_at(falloff, HUGE_VAL) == 0);  // distance / radius, for a radius of almost 0
   CHECK(weight_at(Falloff::smooth, 0.5) == 0.5);
 }
 
@@ -164,8 +163,8 @@ TEST_CASE("probes_share_a_vertex_by_their_mix") {
   }
   probes.mix = ProbeMix::added;
   CHECK(probe_weights_at(probes, {0, 0, 0})[0].turn == 1);
-  for (const auto& entry : all_probe_mixes())
-    CHECK(find_by_name(all_probe_mixes(), entry.name) == entry.value);
+  for (const ProbeMix mix : viete::base::all_values<ProbeMix>())
+    CHECK(viete::base::value_of_word<ProbeMix>(viete::base::entry_of(mix).word) == mix);
 }
 
 TEST_CASE("probes_do_not_depend_on_position_or_unit_of_the_scene") {

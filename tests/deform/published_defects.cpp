@@ -62,7 +62,7 @@ TEST_CASE("weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_
   }
   base::WorkerPool pool(1);
   for (const Weighting& weighting : all_weightings()) {
-    if (entry(weighting.weights).on_surface) continue;
+    if (weighting.on_surface()) continue;
     CAPTURE(text({weighting}));
     const Binding b = bind(points, cage, weighting, pool);
     for (std::size_t i = 0; i < b.vertices; i += 2) {
@@ -113,7 +113,7 @@ TEST_CASE("a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights
   const double pair = 2 * sizeof(double);
   for (const Weighting& weighting : all_weightings()) {
     CAPTURE(text({weighting}));
-    if (entry(weighting.weights).on_surface) continue;  // solving for these weights needs memory
+    if (weighting.on_surface()) continue;  // solving for these weights needs memory
     CHECK(static_cast<double>(binding_bytes(800'000, 300, EngineKind::fused, weighting)) <
           800e3 * (300 * pair / 4 + 200));
   }

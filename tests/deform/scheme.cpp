@@ -10,38 +10,38 @@ using viete::test::mentions;
 
 namespace {
 
-template <class Entry>
-void check_table(std::span<const Entry> table) {
-  std::set<std::string_view> names;
-  for (const Entry& e : table) {
-    CHECK(&entry(e.value) == &e);
-    CHECK(find_by_name(table, e.name) == e.value);
-    CHECK_FALSE(e.sentence.empty());
-    names.insert(e.name);
+template <class Value>
+void check_choices() {
+  std::set<std::string_view> words;
+  for (const Value value : viete::base::all_values<Value>()) {
+    const viete::base::Choice& choice = viete::base::entry_of(value);
+    CHECK(viete::base::value_of_word<Value>(choice.word) == value);
+    CHECK_FALSE(choice.hint.empty());
+    words.insert(choice.word);
   }
-  CHECK(names.size() == table.size());
-  CHECK_FALSE(find_by_name(table, "nonsense").has_value());
+  CHECK(words.size() == choices(Value{}).size());
+  CHECK_FALSE(viete::base::value_of_word<Value>("nonsense").has_value());
 }
 
 }  // namespace
 
 TEST_CASE("every_choice_is_found_by_its_value_and_by_its_name") {
-  check_table(all_weights());
-  check_table(all_blends());
-  check_table(all_ways());
-  CHECK(all_ways().size() == 6);
+  check_choices<Weights>();
+  check_choices<Blend>();
+  check_choices<Way>();
+  CHECK(choices(Way{}).size() == 6);
 }
 
 TEST_CASE("every_number_is_found_by_its_name_and_is_used_by_some_scheme") {
   CHECK(all_numbers().size() == 5);
   for (const NumberEntry& n : all_numbers()) {
-    CAPTURE(n.name);
-    CHECK(&number(n.name) == &n);
+    CAPTURE(n.word);
+    CHECK(&number(n.word) == &n);
     Scheme scheme;
     CHECK((n.least <= n.of(scheme) && n.of(scheme) <= n.largest));
     AskedScheme asked;
     asked.*n.asked = 0.29;
-    asked.arap = n.name == "attach" || n.name == "hold";
+    asked.arap = n.word == "attach" || n.word == "hold";
     scheme = scheme_of(asked, {});
     CHECK(n.of(scheme) == 0.29);
     CHECK(n.percent(scheme) == 29);
@@ -75,21 +75,20 @@ TEST_CASE("valid_schemes_have_no_conflict_and_are_completed_from_any_part") {
 }
 
 TEST_CASE("named_deformers_are_recognised_by_their_schemes_for_any_numbers") {
-  for (const WayEntry& way : all_ways()) {
-    CAPTURE(way.name);
-    CHECK_FALSE(conflict(way.scheme));
-    CHECK(way.scheme.weighting.elements == elements_of(way.scheme.weighting.weights, way.scheme.blend));
-    CHECK(scheme_of(way.value) == way.scheme);
-    Scheme s = way.scheme;
+  for (const Way way : viete::base::all_values<Way>()) {
+    CAPTURE(viete::base::entry_of(way).word);
+    Scheme s = scheme_of(way);
+    CHECK_FALSE(conflict(s));
+    CHECK(s.weighting.elements == elements_of(s.weighting.weights, s.blend));
     s.amounts = {0.5, 1.5};
     s.weighting.radius = 0.4;
     if (s.stitched()) s.iterations = 4, s.holding = {0.1, 0.2};
-    CHECK(way_of(s) == way.value);
+    CHECK(way_of(s) == way);
     s.iterations = s.stitched() ? 0 : 1;
-    if (s.has_maps()) CHECK(way_of(s) != way.value);
+    if (s.has_maps()) CHECK(way_of(s) != way);
   }
-  CHECK(default_scheme() == entry(Way::smooth).scheme);
-  CHECK(default_scheme(false) == entry(Way::paper).scheme);
+  CHECK(default_scheme() == scheme_of(Way::smooth));
+  CHECK(default_scheme(false) == scheme_of(Way::paper));
   CHECK(scheme_of(Way::paper) == Scheme{});
 }
 
@@ -103,12 +102,12 @@ TEST_CASE("a_pick_is_applied_with_the_fewest_other_changes") {
     return picked;
   };
   for (const Scheme& now : valid_schemes()) {
-    for (const auto& e : all_weights()) {
-      const Scheme picked = check_pick(e.value, now);
-      if (e.value != Weights::mean_value) CHECK(picked.blend == now.blend);
+    for (const Weights weights : viete::base::all_values<Weights>()) {
+      const Scheme picked = check_pick(weights, now);
+      if (weights != Weights::mean_value) CHECK(picked.blend == now.blend);
     }
-    for (const auto& e : all_blends()) {
-      const Scheme picked = check_pick(e.value, now);
+    for (const Blend blend : viete::base::all_values<Blend>()) {
+      const Scheme picked = check_pick(blend, now);
       if (now.weighting.weights != Weights::mean_value)
         CHECK(picked.weighting.weights == now.weighting.weights);
     }

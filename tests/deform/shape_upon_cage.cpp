@@ -34,7 +34,7 @@ Frames shaped_frames(const Scheme& scheme) {
 
 std::vector<Scheme> shaped_schemes() {
   std::vector<Scheme> all = whole_schemes();
-  for (const WayEntry& way : all_ways()) all.push_back(way.scheme);
+  for (const Way way : base::all_values<Way>()) all.push_back(scheme_of(way));
   return all;
 }
 

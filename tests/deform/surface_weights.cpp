@@ -289,7 +289,7 @@ TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
       tiled.tiles = std::make_shared<const TiledBinding>(
           bind_tiles(b.model, *b.cage, weighting, b.pool, usual_tolerance, nullptr, storage));
       CHECK(tiled.tiles->storage() == storage);
-      const Binding part = BoundVertices(weigher, tiled, nullptr).part(vertices);
+      const Binding part = bind_vertices(weigher, *tiled.rest, known_row(tiled), nullptr, vertices).binding;
       double worst = 0;
       for (std::size_t i = 0; i < all.weights.size(); ++i)
         worst = std::max(worst, std::abs(part.weights[i] - all.weights[i]));
@@ -301,7 +301,8 @@ TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
           CHECK(tiled.tiles->sample[s * all.handles + j] == all.weights[sampled[s] * all.handles + j]);
       }
     }
-    CHECK(BoundVertices(weigher, all, nullptr).part(vertices).weights == all.weights);
+    CHECK(bind_vertices(weigher, *all.rest, known_row(all), nullptr, vertices).binding.weights ==
+          all.weights);
   }
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
   const Cage cage = make_cage(surface);
   const auto points = points_around(cage);
   for (const auto& weighting : weightings) {
-    CAPTURE(entry(weighting.weights).name);
+    CAPTURE(base::entry_of(weighting.weights).word);
     for (const auto& kernel : viete::sym3::kernels()) {
       const Weigher weigher(cage, weighting, kernel);
       std::vector<double> one(weigher.handles());

@@ -113,7 +113,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
   CHECK_FALSE(advises());  // the cage is at rest
   d.document().changed_pose().positions[0][0] += 1;
   CHECK(advises());
-  d.document().put_scheme(deform::entry(deform::Way::mean_value).scheme);
+  d.document().put_scheme(deform::scheme_of(deform::Way::mean_value));
   CHECK_FALSE(advises());
 }
 

@@ -145,7 +145,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
     CHECK(side.problem.empty());
     const auto way = deform::way_of(side.scheme);
     REQUIRE(way);
-    ways.insert(deform::entry(*way).name);
+    ways.insert(base::entry_of(*way).word);
   }
   CHECK(ways.size() == 3);
   d.choose("side/1/way", "side/1/way_rigid");

@@ -139,16 +139,16 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   Driver& d = small.d;
   const auto shows = [&](const char* widget) { return d.viewer().recorder().find(widget).has_value(); };
   const auto& scheme = d.document().scheme();
-  for (const auto& way : deform::all_ways()) {
-    CAPTURE(way.name);
-    d.choose("way", workspace::choice_command_name(way.value));
+  for (const auto way : base::all_values<deform::Way>()) {
+    CAPTURE(base::entry_of(way).word);
+    d.choose("way", workspace::choice_command_name(way));
     d.settle();
-    CHECK(scheme == way.scheme);
+    CHECK(scheme == deform::scheme_of(way));
     CHECK(d.viewer().deformer()->scheme() == scheme);
-    CHECK(shows("radius") == (way.value == deform::Way::local));
+    CHECK(shows("radius") == (way == deform::Way::local));
     CHECK_FALSE(shows("weights"));
   }
-  CHECK(test::edit_count(d.document().history()) == deform::all_ways().size());
+  CHECK(test::edit_count(d.document().history()) == choices(deform::Way{}).size());
   d.click("section/Custom deformer");
   d.frame(2);
   d.choose("blend", "blend_linear");
@@ -215,9 +215,9 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
   const auto& stats = d.workspace().frame.methods;
   for (const auto& sample : stats.samples) CHECK(sample.ns_per_matrix > 0);
   CHECK(stats.samples[3].worst_error < 1e-14);
-  for (const auto& way : deform::all_ways()) {
-    CAPTURE(way.name);
-    document::set_scheme(d.document(), way.scheme);
+  for (const auto way : base::all_values<deform::Way>()) {
+    CAPTURE(base::entry_of(way).word);
+    document::set_scheme(d.document(), deform::scheme_of(way));
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);
