@@ -17,12 +17,12 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // see part_couplings(); in model sizes
+constexpr double reach = 0.02, touching = 0.001, way_around = 0.01;  // see part_couplings(); in model sizes
 constexpr double farther = 4;  // limit for other parts, relative to the distance of the nearest other part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// Ratio of a coupling's strength to the strength of solid material in the gap. Chosen by tests.
-constexpr double of_filled_gap = 2;
+// Ratio of a coupling's strength within a part to the strength of solid material in the gap. Chosen by tests.
+constexpr double of_fold = 2;
 
 struct Neighbour {
   mesh::Triangle triangle;
@@ -56,7 +56,8 @@ private:
   std::vector<Neighbour> in_other_parts(std::uint32_t vertex) const {
     const mesh::Point& p = positions_[vertex];
     std::vector<Neighbour> found;
-    for (const auto& near : triangle_tree_->nearest_of_groups(p, reach * size_, paths_.part(vertex))) {
+    for (const auto& near :
+         triangle_tree_->nearest_of_groups(p, reach * size_, farther, paths_.part(vertex))) {
       const mesh::Triangle& t = triangles_[near.triangle];
       const auto closest = mesh::closest_on_triangle(p, positions_[t[0]], positions_[t[1]], positions_[t[2]]);
       found.push_back({t, closest.barycentric, closest.squared_distance});
@@ -117,7 +118,7 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
     if (masses[v] > 0) used.push_back(v);
   }
   if (used.empty()) return {};
-  const double filled = of_filled_gap * area_of(surface);
+  const double area = area_of(surface);
   const Neighbours neighbours(surface, paths, used);
   std::vector<std::vector<Neighbour>> found(used.size());
   pool.for_blocks(used.size(), 64, [&](std::size_t begin, std::size_t end) {
@@ -128,7 +129,8 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
     for (const auto& [triangle, shares, square] : found[i]) {
       const auto& [a, b, c] = triangle;
       const double beside = shares[0] * masses[a] + shares[1] * masses[b] + shares[2] * masses[c];
-      const double strength = filled * std::min(masses[used[i]], beside) / square;
+      const double filled = area * std::min(masses[used[i]], beside) / square;
+      const double strength = filled * (paths.part(a) == paths.part(used[i]) ? of_fold : 1);
       couplings.push_back({used[i], triangle, shares, std::min(strength, most_strength)});
     }
   }

@@ -23,17 +23,18 @@ struct Coupling {
 inline constexpr double most_strength = 1e4;
 
 /// Couples each vertex to points that are near in space but not along edges:
-/// - in other parts: the nearest point of each part within 1.5 % of the model's diagonal. Takes at most six
+/// - in other parts: the nearest point of each part within 2 % of the model's diagonal. Takes at most six
 ///   points, and no point more than four times as far away as the nearest point.
 /// - in the vertex's own part, where folds touch: the nearest vertex within 0.1 %, unless a path of edges
 ///   shorter than 1 % joins the two vertices.
 /// A corner of the triangle replaces a point if the corner is within 0.3 %, or within half of the distance d
 /// from the vertex to the point.
 ///
-/// The strength is 2 * m / d^2, at most 1e4. m is the smaller of the areas that belong to the vertex and to
-/// the point. The surface's area is 1. m / d^2 is the Dirichlet energy of a column with base m and height d,
-/// which fills the gap. So the couplings are strong across narrow gaps and weak across wide gaps. The surface
-/// must be welded; `masses` as in IntrinsicLaplacian. Results do not depend on the thread count.
+/// The strength is m / d^2, at most 1e4; within a part, twice as much. m is the smaller of the areas that
+/// belong to the vertex and to the point. The surface's area is 1. m / d^2 is the Dirichlet energy of a
+/// column with base m and height d, which fills the gap. So the couplings are strong across narrow gaps and
+/// weak across wide gaps. The surface must be welded; `masses` as in IntrinsicLaplacian. Results do not
+/// depend on the thread count.
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 

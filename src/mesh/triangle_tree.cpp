@@ -157,13 +157,15 @@ TriangleTree::Nearest TriangleTree::nearest(const Point& p, double below) const 
 }
 
 std::vector<TriangleTree::NearestOfGroup> TriangleTree::nearest_of_groups(const Point& p, double radius,
+                                                                          double times,
                                                                           std::uint32_t but_group) const {
   std::vector<NearestOfGroup> found;
+  double limit = radius * radius;
   const auto known = [&](std::uint32_t group) {
     return std::ranges::find(found, group, &NearestOfGroup::group);
   };
   const auto is_past = [&](std::uint32_t group, double squared) {
-    if (group == but_group || squared > radius * radius) return true;
+    if (group == but_group || squared > limit) return true;
     const auto nearest = known(group);
     return nearest != found.end() && squared >= nearest->squared_distance;
   };
@@ -180,6 +182,7 @@ std::vector<TriangleTree::NearestOfGroup> TriangleTree::nearest_of_groups(const 
     } else {
       found.push_back(one);
     }
+    limit = std::min(limit, times * times * one.squared_distance);
     return false;
   });
   return found;

@@ -34,8 +34,10 @@ public:
     double squared_distance;
   };
   /// For each group except `but_group`, finds the triangle nearest to p. Returns the triangles whose distance
-  /// is at most `radius`, in any order. The tree must have groups.
-  std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
+  /// is at most `radius` and at most `times` the least distance, and maybe others within `radius`, in any
+  /// order. The tree must have groups.
+  std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, double times,
+                                                std::uint32_t but_group) const;
 
   /// Calls visit(triangle) for each triangle whose bounding box overlaps or touches `box`.
   template <class Visit>

@@ -11,9 +11,13 @@
 #include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
+#include "deform/pose_io.h"
 #include "deform/shapes.h"
+#include "formats/read.h"
 #include "mesh/edge_paths.h"
 #include "mesh/repair.h"
+#include "mesh/union_find.h"
+#include "support/data.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -65,6 +69,22 @@ std::vector<Coupling> couplings_of(const mesh::Surface& surface, int threads = 2
 double distance_at(const Coupling& coupling, const std::vector<mesh::Point>& p) {
   const auto& [vertex, t, shares, strength] = coupling;
   return norm(p[vertex] - (shares[0] * p[t[0]] + shares[1] * p[t[1]] + shares[2] * p[t[2]]));
+}
+
+// Returns the largest change of a distance between the two ends of a coupling.
+double most_changed(const std::vector<Coupling>& couplings, const std::vector<mesh::Point>& rest,
+                    const std::vector<mesh::Point>& posed) {
+  double most = 0;
+  for (const Coupling& c : couplings)
+    most = std::max(most, std::abs(distance_at(c, posed) - distance_at(c, rest)));
+  return most;
+}
+
+// Returns the number of vertices of each part, at the part's number.
+std::vector<std::size_t> sizes_of(mesh::UnionFind& parts, std::size_t vertices) {
+  std::vector<std::size_t> sizes(vertices, 0);
+  for (std::uint32_t v = 0; v < vertices; ++v) ++sizes[parts.find(v)];
+  return sizes;
 }
 
 // Returns a grid with vertices at place(u, v). u is between `from` and `to`. v is an angle over a full turn.
@@ -150,15 +170,47 @@ TEST_CASE("eyes_stay_in_their_sockets_about_as_well_as_with_mean_value_coordinat
       CHECK(beside.size() > 20);
       Bound smooth(model, cage, biharmonics), mean_value(model, cage, mean_values, 2, Blend::linear);
       const auto apart = [&](Bound& b, const auto& map) {
-        const auto posed = b.deform(b.pose(map));
-        double most = 0;
-        for (const Coupling& c : beside)
-          most = std::max(most, std::abs(distance_at(c, posed) - distance_at(c, model.positions)));
-        return most;
+        return most_changed(beside, model.positions, b.deform(b.pose(map)));
       };
       CHECK(apart(smooth, twist) < 1.6 * apart(mean_value, twist));
       CHECK(apart(smooth, bent) < 1.6 * apart(mean_value, bent));
     }
+  }
+}
+
+// Suzanne's eyes touch the head. One corner of each eye is 1.5 % of the diagonal away from the head.
+TEST_CASE("the_eyes_of_suzanne_stay_in_their_sockets" * doctest::test_suite(if_present)) {
+  const auto folder = shared_data("suzanne");
+  if (folder.empty()) return;
+  const auto model = formats::read(folder / "mesh.obj").surface,
+             cage = formats::read(folder / "cage.obj").surface;
+  auto parts = mesh::parts_by_triangles(model.positions.size(), model.triangles);
+  const auto in_head = [&, sizes = sizes_of(parts, model.positions.size())](std::uint32_t v) {
+    return 2 * sizes[parts.find(v)] > model.positions.size();
+  };
+  std::vector<Coupling> beside;  // the nearest point of the head for each near vertex of the eyes
+  for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
+    if (in_head(v)) continue;
+    double least = std::pow(0.015 * mesh::bounds(model.positions).diagonal(), 2);
+    Coupling nearest{v, {}, {}, 0};
+    for (const auto& t : model.triangles) {
+      if (!in_head(t[0])) continue;
+      const auto& p = model.positions;
+      const auto closest = mesh::closest_on_triangle(p[v], p[t[0]], p[t[1]], p[t[2]]);
+      if (closest.squared_distance > least) continue;
+      least = closest.squared_distance;
+      nearest = {v, t, closest.barycentric, 1};
+    }
+    if (nearest.strength > 0) beside.push_back(nearest);
+  }
+  CHECK(beside.size() == 24);
+  Bound smooth(model, cage, biharmonics), mean_value(model, cage, mean_values, 2, Blend::linear);
+  for (const auto* const name : {"pose_twist200.obj", "pose_bend.obj"}) {
+    CAPTURE(name);
+    std::vector<std::string> warnings;
+    const Pose pose = read_pose(folder / name, *smooth.cage, warnings);
+    CHECK(most_changed(beside, model.positions, smooth.deform(pose)) <
+          1.6 * most_changed(beside, model.positions, mean_value.deform(pose)));
   }
 }
 
@@ -186,6 +238,20 @@ TEST_CASE("a_coarse_part_is_coupled_to_the_nearest_points_and_not_to_the_nearest
     const Vec3 point = shares[0] * p[t[0]] + shares[1] * p[t[1]] + shares[2] * p[t[2]];
     CHECK(vertex >= 3);
     CHECK(norm(p[vertex] - point) == doctest::Approx(0.01));
+  }
+}
+
+TEST_CASE("couplings_weaken_with_distance_and_end_at_two_percent_of_the_diagonal") {
+  const auto tile =
+      mesh::from_triangles({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  double previous = 1e9;
+  for (const double gap : {0.01, 0.02, 0.04, 0.056, 0.057}) {  // the diagonal is 2.83
+    CAPTURE(gap);
+    const auto other = mapped(tile, [&](const Vec3& x) { return x + Vec3{0, 0, gap}; });
+    const auto couplings = couplings_of(together(tile, other));
+    CHECK(couplings.size() == (gap < 0.0565 ? 8 : 0));
+    for (const Coupling& c : couplings) CHECK(c.strength < 0.6 * previous);
+    if (!couplings.empty()) previous = couplings[0].strength;
   }
 }
 

@@ -78,7 +78,7 @@ TEST_CASE("tree_nearest_of_groups_agrees_with_brute_force") {
       const Point p = random.vector(1);
       const double radius = std::abs(random.vector(0.5)[0]);
       const std::uint32_t but = n % count;
-      std::map<std::uint32_t, double> expected, found;
+      std::map<std::uint32_t, double> expected, found, all;
       for (std::size_t t = 0; t < s.triangles.size(); ++t) {
         const auto [a, b, c] = at(s, t);
         const double square = closest_on_triangle(p, a, b, c).squared_distance;
@@ -87,10 +87,17 @@ TEST_CASE("tree_nearest_of_groups_agrees_with_brute_force") {
         const auto [known, is_new] = expected.try_emplace(group, square);
         if (!is_new) known->second = std::min(known->second, square);
       }
-      for (const auto& near : tree.nearest_of_groups(p, radius, but)) {
+      for (const auto& near : tree.nearest_of_groups(p, radius, HUGE_VAL, but)) {
         CHECK(groups[s.triangles[near.triangle][0]] == near.group);
-        CHECK(found.try_emplace(near.group, near.squared_distance).second);
+        CHECK(all.try_emplace(near.group, near.squared_distance).second);
       }
+      CHECK(all == expected);
+      double least = HUGE_VAL;
+      for (const auto& [group, square] : expected) least = std::min(least, square);
+      const auto is_farther = [&](const auto& one) { return one.second > 4 * least; };
+      for (const auto& near : tree.nearest_of_groups(p, radius, 2, but))
+        CHECK(found.try_emplace(near.group, near.squared_distance).second);
+      std::erase_if(expected, is_farther), std::erase_if(found, is_farther);
       CHECK(found == expected);
     }
   }
