@@ -10,7 +10,6 @@
 #include "document/edit.h"
 #include "interact/number_entry.h"
 #include "ui/imgui_bridge.h"
-#include "workspace/command.h"
 
 namespace viete::ui {
 

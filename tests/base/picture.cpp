@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <string>
-
 #include "base/error.h"
 #include "support/data.h"
 #include "support/folder.h"

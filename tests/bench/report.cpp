@@ -1,11 +1,6 @@
 #include <doctest/doctest.h>
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "base/text.h"
 #include "bench/accuracy.h"

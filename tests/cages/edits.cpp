@@ -3,9 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <string>
-
 #include "cages/enclose.h"
 #include "cages/soundness.h"
 #include "formats/read.h"

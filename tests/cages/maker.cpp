@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
 #include <chrono>
-#include <thread>
-#include <utility>
 
 #include "base/error.h"
 #include "base/progress.h"

@@ -2,13 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
-#include "base/error.h"
 #include "document/checks.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
-#include "mesh/summary.h"
 #include "mesh/winding_number.h"
 #include "support/cube.h"
 #include "support/edits.h"

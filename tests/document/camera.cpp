@@ -3,10 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include "document/range.h"
 #include "interact/axis_widget.h"
 #include "support/commands.h"

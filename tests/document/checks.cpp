@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <memory>
-
 #include "deform/cage_state.h"
 #include "mesh/triangulation.h"
 #include "support/cube.h"

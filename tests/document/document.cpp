@@ -2,11 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
-#include "base/error.h"
-#include "document/history.h"
-#include "document/space.h"
 #include "formats/write.h"
 #include "support/cube.h"
 #include "support/files.h"

@@ -2,12 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-
-#include "base/error.h"
 #include "document/cage_editing.h"
 #include "document/edit.h"
 #include "document/probes.h"

@@ -3,9 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "deform/maps.h"
-#include "document/brush.h"
 #include "document/edit.h"
-#include "document/range.h"
 #include "interact/cursor_projection.h"
 #include "interact/grip.h"
 #include "interact/picking.h"

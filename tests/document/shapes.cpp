@@ -1,9 +1,6 @@
 // Tests shapes of the model: import, mixing, sessions, cages and pins.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "document/edit.h"
 #include "document/pose_edit.h"
 #include "document/probes.h"

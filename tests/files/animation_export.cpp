@@ -2,13 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <thread>
 
-#include "base/error.h"
-#include "deform/scheme.h"
 #include "files/animated_model.h"
 #include "formats/point_cache.h"
 #include "formats/read.h"

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "base/error.h"
 #include "deform/pose_io.h"
 #include "files/animation_export.h"
 #include "files/open.h"

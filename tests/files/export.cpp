@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
-#include "base/error.h"
 #include "files/animation_export.h"
 #include "formats/read.h"
 #include "support/files.h"

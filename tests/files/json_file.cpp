@@ -3,8 +3,6 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include <string>
-
 #include "base/error.h"
 #include "support/files.h"
 #include "support/folder.h"

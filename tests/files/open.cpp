@@ -2,11 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"

@@ -1,7 +1,6 @@
 // Rewritten PLY, STL and OFF files are identical at rest. A deformation changes only the values it affects.
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <sstream>
 
 #include "formats/codecs.h"

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <bit>
-
 #include "mesh/triangulation.h"
 #include "support/shapes.h"
 

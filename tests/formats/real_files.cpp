@@ -1,8 +1,6 @@
 // Reads real files, recognises them by their content, and writes them again.
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "support/data.h"
 #include "support/shapes.h"
 

@@ -3,8 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
-
 #include "document/edit.h"
 #include "document/elements.h"
 #include "support/ball.h"

@@ -1,5 +1,4 @@
 // viete between, viete mix and viete pose: these commands interpolate, mix and pose shapes.
-#include <cmath>
 
 #include "base/numbered_files.h"
 #include "document/pose_edit.h"

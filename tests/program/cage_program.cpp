@@ -1,5 +1,4 @@
 // viete cage: makes cages. Other commands must accept these cages.
-#include <utility>
 
 #include "formats/read.h"
 #include "formats/write.h"

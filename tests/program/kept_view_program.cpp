@@ -1,5 +1,4 @@
 // Tests the cached view. The program must draw the view again when the content of the view changes.
-#include <random>
 
 #include "interact/cursor_projection.h"
 #include "program/small_scene.h"

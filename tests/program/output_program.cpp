@@ -1,6 +1,3 @@
-#include <map>
-#include <vector>
-
 #include "formats/write.h"
 #include "program/command_line.h"
 #include "render/image.h"

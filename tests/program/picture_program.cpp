@@ -3,8 +3,6 @@
 // each version of ImGui places text differently. Pictures of panels are references of version 1.86; with
 // other versions, the mean colours of cells are compared. If VIETE_UPDATE_PICTURES is set, writes the
 // pictures as new references: review these before committing.
-#include <cstdlib>
-#include <functional>
 
 #include "document/pose_edit.h"
 #include "document/probes.h"

@@ -1,5 +1,4 @@
 // Probes with simulated events, with and without a cage.
-#include <numbers>
 
 #include "document/pose_edit.h"
 #include "document/probes.h"

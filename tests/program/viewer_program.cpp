@@ -58,11 +58,10 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
 }
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
-  Driver d(test::with_pixels);
+  Driver d;
   d.open_dragon();
   const auto rest = positions(d);
   CHECK(largest_distance(rest, rest_of(d)) < 1e-13 * diagonal(d));
-  const auto picture_before = d.picture();
 
   const auto v = d.free_vertex();
   const glm::vec2 from = glm::round(d.vertex(v)), to = from + glm::vec2(60, -50);
@@ -75,45 +74,6 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   d.frame(2);
   CHECK(test::edit_count(d.document().history()) == 1);
   CHECK_FALSE(d.workspace().view.options.hints);
-
-  // Pixels have changed around the vertex that moved farthest.
-  const auto after = positions(d);
-  std::size_t farthest = 0;
-  const auto shift = [&](std::size_t i) { return mesh::norm(after[i] - rest[i]); };
-  for (std::size_t i = 0; i < after.size(); ++i)
-    if (shift(i) > shift(farthest)) farthest = i;
-  const glm::ivec2 at(d.on_screen(after[farthest]));
-  const auto picture = d.picture();
-  int changed = 0;
-  for (int y = at.y - 12; y <= at.y + 12; ++y) {
-    for (int x = at.x - 12; x <= at.x + 12; ++x) changed += picture.pixel(x, y) != picture_before.pixel(x, y);
-  }
-  CHECK(changed > 20);
-}
-
-TEST_CASE("the_four_methods_are_clicked_and_agree") {
-  Driver d;
-  d.open_dragon();
-  const auto v = d.free_vertex();
-  d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
-  const auto reference = positions(d);
-  // If eigenvalues are close, SD has errors up to 1e-4. Close eigenvalues are common near the rest pose.
-  const struct {
-    const char* widget;
-    sym3::Method method;
-    double bound;
-  } cases[] = {{"method_diag", sym3::Method::diag, 2e-5},
-               {"method_sd", sym3::Method::sd, 2e-4},
-               {"method_improved_sd", sym3::Method::improved_sd, 2e-4},
-               {"method_fast", sym3::Method::fast, 0}};
-  for (const auto& c : cases) {
-    d.click(c.widget);
-    CHECK(d.document().method() == c.method);
-    d.settle();
-    CHECK(d.viewer().deformer()->engine(c.method) ==
-          (c.method == sym3::Method::fast ? deform::EngineKind::fused : deform::EngineKind::staged));
-    CHECK_MESSAGE(largest_distance(positions(d), reference) <= c.bound * diagonal(d), c.widget);
-  }
 }
 
 TEST_CASE("a_model_of_any_size_looks_the_same") {

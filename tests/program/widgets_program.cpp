@@ -1,8 +1,6 @@
 // Widgets, dialogs and notices with simulated events. Esc cancels active widgets and closes popups.
 #include <imgui_internal.h>
 
-#include <functional>
-#include <set>
 #include <tuple>
 
 #include "document/edit.h"

@@ -1,5 +1,4 @@
 #include <doctest/doctest.h>
-#include <algorithm>
 #include <limits>
 
 #include "base/error.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <type_traits>
 
 #include "sym3/arranged.h"

@@ -1,12 +1,8 @@
 // Tests the error bounds of derivatives with every kernel. Batches in any layout must equal single calls.
 #include "sym3/derivative.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"

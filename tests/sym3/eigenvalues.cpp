@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
-#include <algorithm>
 #include <limits>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/derivative.h"

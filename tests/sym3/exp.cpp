@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"

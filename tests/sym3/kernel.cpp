@@ -1,5 +1,4 @@
 #include <doctest/doctest.h>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <set>

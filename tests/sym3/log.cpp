@@ -1,10 +1,8 @@
 // log, roots and powers of every kernel: error bounds, and equal bits for single matrices and batches.
 #include "sym3/log.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"

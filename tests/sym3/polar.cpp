@@ -1,7 +1,6 @@
 #include "sym3/polar.h"
 
 #include <limits>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/kernel.h"

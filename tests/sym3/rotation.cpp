@@ -1,9 +1,7 @@
 #include "sym3/rotation.h"
 
-#include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/kernel.h"

@@ -1,8 +1,5 @@
 // Every function on every combination of zero, infinities, NaN, the smallest and the largest number.
-#include <bit>
-#include <cmath>
 #include <limits>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/derivative.h"
