@@ -3,15 +3,9 @@
 #include <sstream>
 
 #include "base/text.h"
-#include "bench/accuracy.h"
-#include "bench/exp.h"
-#include "bench/figures.h"
 #include "bench/page.h"
-#include "bench/plot.h"
-#include "bench/table.h"
 #include "formats/write.h"
 #include "support/data.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 #include "support/text.h"
 #include "support/xml.h"

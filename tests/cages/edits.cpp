@@ -5,9 +5,7 @@
 
 #include "cages/enclose.h"
 #include "cages/soundness.h"
-#include "formats/read.h"
 #include "mesh/summary.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 
 using namespace viete;

@@ -3,7 +3,6 @@
 #include "cages/judge.h"
 #include "cages/make.h"
 #include "cages/models.h"
-#include "mesh/triangulation.h"
 
 using namespace viete;
 using namespace viete::test;

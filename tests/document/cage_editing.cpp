@@ -2,13 +2,11 @@
 
 #include <doctest/doctest.h>
 
-#include "document/checks.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "mesh/winding_number.h"
 #include "support/cube.h"
 #include "support/edits.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 #include "workspace/saving.h"
 

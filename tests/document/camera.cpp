@@ -1,9 +1,7 @@
 #include "document/camera.h"
-#include "document/document.h"
 
 #include <doctest/doctest.h>
 
-#include "document/range.h"
 #include "interact/axis_widget.h"
 #include "support/commands.h"
 #include "support/cube.h"

@@ -3,11 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "deform/cage_state.h"
-#include "mesh/triangulation.h"
 #include "support/cube.h"
 #include "support/shapes.h"
 #include "support/text.h"
-#include "workspace/workspace.h"
 
 using namespace viete;
 using namespace viete::document;

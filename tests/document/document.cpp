@@ -2,10 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "formats/write.h"
-#include "support/cube.h"
 #include "support/files.h"
-#include "support/open.h"
 
 using namespace viete;
 using namespace viete::document;

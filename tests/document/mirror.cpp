@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "document/edit.h"
 #include "interact/mirror_edit.h"
 #include "support/cube.h"
 #include "support/edits.h"

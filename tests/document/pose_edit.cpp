@@ -3,10 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "document/cage_editing.h"
-#include "document/edit.h"
 #include "document/probes.h"
-#include "document/record.h"
-#include "document/time_edit.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"
 

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "document/record.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"
 

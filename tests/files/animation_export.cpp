@@ -5,14 +5,9 @@
 #include <set>
 
 #include "files/animated_model.h"
-#include "formats/point_cache.h"
-#include "formats/read.h"
-#include "formats/write.h"
 #include "support/animated_cube.h"
 #include "support/ball.h"
-#include "support/distance.h"
 #include "support/far.h"
-#include "support/folder.h"
 #include "support/gltf.h"
 #include "support/text.h"
 

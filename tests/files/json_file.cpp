@@ -3,9 +3,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "support/files.h"
-#include "support/folder.h"
 #include "support/text.h"
 
 using namespace viete;

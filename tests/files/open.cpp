@@ -4,14 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "document/edit.h"
 #include "document/elements.h"
-#include "document/pose_edit.h"
 #include "support/commands.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/files.h"
-#include "support/open.h"
 #include "support/posed_cube.h"
 #include "support/text.h"
 #include "workspace/saving.h"

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "document/pose_edit.h"
-#include "files/session.h"
 #include "support/files.h"
 #include "support/zombie.h"
 #include "workspace/saving.h"

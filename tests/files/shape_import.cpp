@@ -5,7 +5,6 @@
 #include <random>
 
 #include "formats/morph_keys.h"
-#include "formats/point_cache.h"
 #include "formats/read.h"
 #include "support/files.h"
 #include "support/posed_cube.h"

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "formats/read.h"
 #include "formats/write.h"
 #include "support/data.h"
 #include "support/shapes.h"

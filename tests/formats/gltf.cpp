@@ -5,7 +5,6 @@
 #include "formats/gltf_judge.h"
 #include "formats/write.h"
 #include "support/far.h"
-#include "support/folder.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
 

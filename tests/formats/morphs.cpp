@@ -4,8 +4,6 @@
 
 #include "formats/gltf_judge.h"
 #include "formats/morph_keys.h"
-#include "formats/write.h"
-#include "support/folder.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
 

@@ -6,7 +6,6 @@
 #include "formats/codecs.h"
 #include "formats/write.h"
 #include "support/far.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 
 using namespace viete;

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "mesh/triangulation.h"
 #include "support/shapes.h"
 
 using namespace viete;

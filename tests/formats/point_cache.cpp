@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "base/error.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 
 using namespace viete;

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "base/error.h"
-#include "mesh/triangulation.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
 

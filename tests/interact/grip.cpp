@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "document/edit.h"
 #include "interact/placing.h"
 #include "support/cube.h"
 

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "document/edit.h"
 #include "document/elements.h"
 #include "support/ball.h"
 #include "support/commands.h"

@@ -3,8 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "deform/cage_state.h"
-#include "document/edit.h"
-#include "interact/grip.h"
 #include "interact/placing.h"
 #include "support/cube.h"
 #include "support/edits.h"

@@ -4,7 +4,6 @@
 #include "program/driver.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 #include "workspace/saving.h"
 

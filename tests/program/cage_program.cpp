@@ -2,7 +2,6 @@
 
 #include "formats/read.h"
 #include "formats/write.h"
-#include "mesh/summary.h"
 #include "program/command_line.h"
 #include "support/cube.h"
 

@@ -2,10 +2,8 @@
 
 #include "formats/read.h"
 #include "formats/write.h"
-#include "mesh/summary.h"
 #include "program/command_line.h"
 #include "support/ball.h"
-#include "support/cube.h"
 #include "support/far.h"
 #include "support/pictures.h"
 #include "support/posed_cube.h"

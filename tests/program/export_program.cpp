@@ -2,7 +2,6 @@
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "formats/point_cache.h"
-#include "formats/read.h"
 #include "program/kept_work.h"
 #include "support/commands.h"
 #include "support/pictures.h"

@@ -1,7 +1,6 @@
 // Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and painting.
 #include <numbers>
 
-#include "deform/scheme.h"
 #include "document/pose_edit.h"
 #include "interact/shaping.h"
 #include "program/driver.h"
@@ -10,7 +9,6 @@
 #include "support/grips.h"
 #include "support/pictures.h"
 #include "ui/panels.h"
-#include "workspace/pointer.h"
 
 using namespace viete;
 using test::Driver;

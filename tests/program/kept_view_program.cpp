@@ -4,7 +4,6 @@
 #include "program/small_scene.h"
 #include "support/commands.h"
 #include "support/pictures.h"
-#include "support/skip.h"
 
 using namespace viete;
 using test::Driver, test::small_options, test::SmallScene;

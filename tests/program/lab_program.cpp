@@ -1,15 +1,10 @@
 // Maps on the mesh, and split views.
 
 #include "deform/pose_io.h"
-#include "deform/scheme.h"
-#include "document/edit.h"
 #include "document/pose_edit.h"
 #include "document/probes.h"
-#include "formats/write.h"
 #include "program/small_scene.h"
-#include "support/folder.h"
 #include "support/pictures.h"
-#include "workspace/split.h"
 
 using namespace viete;
 using analysis::Field;

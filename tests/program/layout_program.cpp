@@ -1,13 +1,9 @@
 // Uses columns, menus, toasts and the palette by mouse and keys.
 
 #include "document/record.h"
-#include "formats/read.h"
-#include "formats/write.h"
 #include "program/kept_work.h"
-#include "support/folder.h"
 #include "support/pictures.h"
 #include "workspace/menus.h"
-#include "workspace/preferences.h"
 #include "workspace/saving.h"
 
 using namespace viete;

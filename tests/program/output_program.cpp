@@ -1,6 +1,5 @@
 #include "formats/write.h"
 #include "program/command_line.h"
-#include "render/image.h"
 #include "support/cube.h"
 #include "support/pictures.h"
 

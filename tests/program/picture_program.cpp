@@ -6,10 +6,7 @@
 
 #include "document/pose_edit.h"
 #include "document/probes.h"
-#include "formats/write.h"
-#include "mesh/triangulation.h"
 #include "program/open_cage.h"
-#include "render/image.h"
 #include "support/commands.h"
 #include "support/folder.h"
 #include "support/pictures.h"

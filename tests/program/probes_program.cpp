@@ -4,7 +4,6 @@
 #include "document/probes.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
-#include "workspace/pointer.h"
 #include "workspace/saving.h"
 
 using namespace viete;

@@ -1,6 +1,5 @@
 // Sessions must restore equal pictures. Simulated events open and save files.
 #include "formats/read.h"
-#include "formats/write.h"
 #include "program/command_line.h"
 #include "program/kept_work.h"
 #include "support/pictures.h"

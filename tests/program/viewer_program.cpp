@@ -2,8 +2,6 @@
 
 #include "document/edit.h"
 #include "document/pose_edit.h"
-#include "formats/read.h"
-#include "formats/write.h"
 #include "program/kept_work.h"
 #include "program/small_scene.h"
 #include "support/commands.h"

@@ -3,8 +3,6 @@
 
 #include <tuple>
 
-#include "document/edit.h"
-#include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "program/driver.h"
 #include "support/folder.h"

@@ -1,8 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "base/error.h"
 #include "render/gl.h"
-#include "render/program.h"
 #include "render/upload.h"
 #include "support/stage.h"
 

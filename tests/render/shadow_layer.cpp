@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 #include <limits>
 
-#include "base/error.h"
 #include "render/backdrop.h"
 #include "render/shadow_layer.h"
 #include "support/stage.h"

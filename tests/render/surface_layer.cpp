@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "base/error.h"
 #include "support/pictures.h"
 #include "support/stage.h"
 

@@ -5,9 +5,6 @@
 #include <string>
 
 #include "sym3/arranged.h"
-#include "sym3/call_kernel.h"
-#include "sym3/exp.h"
-#include "sym3/kernel.h"
 #include "sym3/log.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"

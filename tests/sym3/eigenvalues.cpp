@@ -2,10 +2,8 @@
 #include <limits>
 
 #include "sym3/arranged.h"
-#include "sym3/derivative.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "sym3/arranged.h"
-#include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"

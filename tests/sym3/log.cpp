@@ -5,10 +5,6 @@
 #include <utility>
 
 #include "sym3/arranged.h"
-#include "sym3/call_kernel.h"
-#include "sym3/exp.h"
-#include "sym3/fallback.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 #include "sym3/with_condition.h"

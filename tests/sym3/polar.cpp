@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "sym3/arranged.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 

@@ -8,7 +8,6 @@
 #include "sym3/log.h"
 #include "sym3/polar.h"
 #include "sym3/preamble.h"
-#include "sym3/rotation.h"
 
 namespace {
 
