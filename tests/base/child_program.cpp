@@ -1,7 +1,5 @@
 #include "base/process.h"
 
-#include <doctest/doctest.h>
-
 #include <chrono>
 #include <thread>
 

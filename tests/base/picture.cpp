@@ -1,7 +1,5 @@
 #include "base/picture.h"
 
-#include <doctest/doctest.h>
-
 #include "base/error.h"
 #include "support/data.h"
 #include "support/folder.h"

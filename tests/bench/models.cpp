@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "deform/bind.h"

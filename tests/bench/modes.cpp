@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "bench/modes.h"
 #include "deform/shapes.h"
 #include "support/shapes.h"

@@ -1,4 +1,3 @@
-#include <doctest/doctest.h>
 #include <chrono>
 
 #include "cages/judge.h"

@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "cages/judge.h"
 #include "cages/make.h"
 #include "cages/models.h"

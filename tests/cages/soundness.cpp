@@ -1,7 +1,5 @@
-#include <doctest/doctest.h>
-
-#include "cages/models.h"
 #include "cages/soundness.h"
+#include "cages/models.h"
 #include "cages/subject.h"
 #include "mesh/summary.h"
 

@@ -1,7 +1,5 @@
 #include "document/brush.h"
 
-#include <doctest/doctest.h>
-
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/files.h"

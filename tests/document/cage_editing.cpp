@@ -1,7 +1,5 @@
 #include "document/cage_editing.h"
 
-#include <doctest/doctest.h>
-
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "mesh/winding_number.h"

@@ -1,7 +1,5 @@
 #include "document/camera.h"
 
-#include <doctest/doctest.h>
-
 #include "interact/axis_widget.h"
 #include "support/commands.h"
 #include "support/cube.h"

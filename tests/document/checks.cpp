@@ -1,7 +1,5 @@
 #include "document/checks.h"
 
-#include <doctest/doctest.h>
-
 #include "deform/cage_state.h"
 #include "support/cube.h"
 #include "support/shapes.h"

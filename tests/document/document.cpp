@@ -1,7 +1,5 @@
 #include "document/document.h"
 
-#include <doctest/doctest.h>
-
 #include "support/files.h"
 
 using namespace viete;

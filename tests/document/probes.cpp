@@ -1,7 +1,5 @@
 #include "document/probes.h"
 
-#include <doctest/doctest.h>
-
 #include "interact/placing.h"
 #include "support/commands.h"
 #include "support/edits.h"

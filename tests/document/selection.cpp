@@ -1,7 +1,5 @@
 #include "document/selection.h"
 
-#include <doctest/doctest.h>
-
 #include "document/elements.h"
 #include "interact/placing.h"
 #include "support/commands.h"

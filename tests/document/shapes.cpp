@@ -1,5 +1,4 @@
 // Tests shapes of the model: import, mixing, sessions, cages and pins.
-#include <doctest/doctest.h>
 
 #include "document/probes.h"
 #include "document/time_edit.h"

@@ -1,7 +1,5 @@
 #include "files/animation_export.h"
 
-#include <doctest/doctest.h>
-
 #include <set>
 
 #include "files/animated_model.h"

@@ -1,7 +1,5 @@
 #include "files/animation_import.h"
 
-#include <doctest/doctest.h>
-
 #include "deform/pose_io.h"
 #include "files/animation_export.h"
 #include "formats/morph_keys.h"

@@ -1,7 +1,5 @@
 #include "files/export.h"
 
-#include <doctest/doctest.h>
-
 #include "files/animation_export.h"
 #include "formats/read.h"
 #include "support/files.h"

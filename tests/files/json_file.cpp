@@ -1,6 +1,5 @@
 #include "files/json_codec.h"
 
-#include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/files.h"

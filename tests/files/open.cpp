@@ -1,7 +1,5 @@
 #include "files/open.h"
 
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
 
 #include "document/elements.h"

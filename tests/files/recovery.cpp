@@ -1,7 +1,5 @@
 #include "files/recovery.h"
 
-#include <doctest/doctest.h>
-
 #include <set>
 
 #include "document/pose_edit.h"

@@ -1,7 +1,5 @@
 #include "workspace/saving.h"
 
-#include <doctest/doctest.h>
-
 #include "formats/read.h"
 #include "interact/placing.h"
 #include "support/commands.h"

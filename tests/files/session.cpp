@@ -1,6 +1,5 @@
 #include "files/session.h"
 
-#include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
 #include <cctype>

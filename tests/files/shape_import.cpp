@@ -1,7 +1,5 @@
 #include "files/shape_import.h"
 
-#include <doctest/doctest.h>
-
 #include <random>
 
 #include "formats/morph_keys.h"

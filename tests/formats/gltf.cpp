@@ -1,7 +1,5 @@
 #include "formats/codecs.h"
 
-#include <doctest/doctest.h>
-
 #include "formats/gltf_judge.h"
 #include "formats/write.h"
 #include "support/far.h"

@@ -1,7 +1,5 @@
 #include "formats/morphs.h"
 
-#include <doctest/doctest.h>
-
 #include "formats/gltf_judge.h"
 #include "formats/morph_keys.h"
 #include "support/gltf.h"

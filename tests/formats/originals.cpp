@@ -1,5 +1,4 @@
 // Rewritten PLY, STL and OFF files are identical at rest. A deformation changes only the values it affects.
-#include <doctest/doctest.h>
 
 #include <sstream>
 

@@ -1,7 +1,5 @@
 #include "formats/point_cache.h"
 
-#include <doctest/doctest.h>
-
 #include "support/shapes.h"
 
 using namespace viete;

@@ -1,7 +1,5 @@
 #include "formats/read.h"
 
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
 
 #include "formats/foreign_content.h"

@@ -1,5 +1,4 @@
 // Reads real files, recognises them by their content, and writes them again.
-#include <doctest/doctest.h>
 
 #include "support/data.h"
 #include "support/shapes.h"

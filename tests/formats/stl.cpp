@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "support/shapes.h"
 
 using namespace viete;

@@ -1,7 +1,5 @@
 #include "formats/write.h"
 
-#include <doctest/doctest.h>
-
 #include "support/gltf.h"
 #include "support/shapes.h"
 

@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "render/gl.h"
 #include "render/upload.h"
 #include "support/stage.h"

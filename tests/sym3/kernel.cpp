@@ -1,4 +1,3 @@
-#include <doctest/doctest.h>
 #include <cstdlib>
 #include <limits>
 #include <set>
