@@ -1,19 +1,6 @@
 #include "deform/part_coupling.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <utility>
-
-#include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/shapes.h"
-#include "mesh/edge_paths.h"
-#include "mesh/repair.h"
 
 using namespace viete;
 using namespace viete::test;
