@@ -1,11 +1,9 @@
 // Exports deformed models in the background.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
-#include "formats/point_cache.h"
 #include "program/kept_work.h"
 #include "support/commands.h"
 #include "support/pictures.h"
-#include "support/text.h"
 
 using namespace viete;
 using namespace test;
@@ -123,10 +121,4 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(other.height == 120);
   const auto brightness = [](const render::Image& image) { return int{image.rgba[0]}; };
   CHECK(brightness(other) > brightness(first) + 60);
-  test::put_file(folder / "g_02.png", "somebody's");
-  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, folder / "g_##.png");
-  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-  CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
-  CHECK(test::mentions(d.last_message(), "g_02.png"));
-  CHECK(test::file_bytes(folder / "g_02.png") == "somebody's");
 }

@@ -1,11 +1,10 @@
-// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and painting.
+// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending and painting.
 #include <numbers>
 
 #include "document/pose_edit.h"
 #include "interact/shaping.h"
 #include "program/driver.h"
 #include "support/edits.h"
-#include "support/folder.h"
 #include "support/grips.h"
 #include "support/pictures.h"
 #include "ui/panels.h"
@@ -319,26 +318,6 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
   for (std::uint32_t v = 0; v < d.pose().size(); ++v)
     CHECK_FALSE(interact::is_crowded(d.document(), d.workspace().view.camera, d.workspace().view.viewport,
                                      d.vertex(v)));
-}
-
-TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
-  Hand d;
-  const auto selected = [&] { return d.document().selection().size(); };
-  d.press_key('B');
-  d.drag({400, 100}, {640, 700});
-  const std::size_t few = selected();
-  CHECK(few > 3);
-  CHECK(few < d.pose().size());
-  CHECK(d.moved().empty());
-  d.click("save_set");
-  d.press_key('A', false, true);
-  CHECK(selected() == 0);
-  d.click("set/0/select");
-  CHECK(selected() == few);
-  d.press_key('H', false, true);
-  CHECK(d.document().groups().hidden.size() == few);
-  d.click("set/0/remove");
-  CHECK(d.document().groups().sets.empty());
 }
 
 TEST_CASE("painted_vertices_stay_when_the_cage_moves") {

@@ -1,8 +1,6 @@
-// The viewer with simulated events: drags, methods, deformers, files and the camera.
-
+// The viewer with simulated events: drags, methods, deformers, files and binding.
 #include "document/edit.h"
 #include "document/pose_edit.h"
-#include "program/kept_work.h"
 #include "program/small_scene.h"
 #include "support/commands.h"
 #include "support/edits.h"
@@ -143,27 +141,6 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   CHECK_FALSE(d.viewer().recorder().find("radius"));
 }
 
-TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_own") {
-  Driver d;
-  d.open_dragon();
-  const auto start = d.workspace().view.camera.pose();
-  d.move({160, 500});  // the pointer is over a panel
-  d.wheel(-3);
-  d.drag({160, 300}, {160, 340}, 2);
-  CHECK(d.workspace().view.camera.pose() == start);
-  d.move({800, 400});
-  d.wheel(2);
-  CHECK(d.workspace().view.camera.pose().distance < start.distance);
-  d.drag({800, 100}, {860, 130}, 2);
-  CHECK(d.workspace().view.camera.pose().yaw != start.yaw);
-  d.press_key(workspace::Key::home);
-  d.settle();
-  for (std::uint32_t v = 0; v < d.document().pose().positions.size(); ++v) {
-    const glm::vec2 at = d.vertex(v);
-    CHECK_MESSAGE((at.x > 320 && at.x < 1280 && at.y > 0 && at.y < 774), "after Home all is in view");
-  }
-}
-
 TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
   auto options = Driver::default_options();
   options.probe = true;
@@ -181,4 +158,28 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
     CHECK(error > 0);
     CHECK(d.until([&] { return d.workspace().view.split.views[0].fused_error == error; }));
   }
+}
+
+TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps_them") {
+  Driver d(Driver::default_options({640, 400}));
+  d.open_dragon();
+  const auto drawn = [&] {
+    const auto p = d.viewer().deformer()->positions();
+    return std::vector<mesh::Point>(p.begin(), p.end());
+  };
+  const auto before = drawn();
+  d.document().changed_pose().positions[0][1] += 0.3;
+  test::run_command(d.workspace(), "weights_mean_value");
+  d.frame();  // starts the new binding and deforms with the old binding
+  REQUIRE(d.workspace().jobs.binding.running);
+  CHECK(d.workspace().jobs.binding.what.starts_with("Binding 3,000 vertices to "));
+  const auto moved = drawn();
+  CHECK(moved != before);
+  d.press_key(workspace::Key::escape);
+  CHECK_FALSE(d.workspace().jobs.binding.running);
+  CHECK(d.document().scheme().weighting.weights == deform::Weights::inverse);
+  CHECK(drawn() == moved);
+  test::run_command(d.workspace(), "weights_mean_value");
+  d.settle();
+  CHECK(d.viewer().deformer()->sample_matrices(10).empty());
 }
