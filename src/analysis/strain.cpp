@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <vector>
 
 #include "mesh/triangle.h"
 #include "sym3/polar.h"

@@ -1,9 +1,7 @@
 #include "base/encoding.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cstdint>
 #include <cstring>
 
 namespace viete::base {

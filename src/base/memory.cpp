@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <new>
 
 #include "base/error.h"
 #include "base/text.h"

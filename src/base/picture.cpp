@@ -4,7 +4,6 @@
 #include <stb_image_write.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 

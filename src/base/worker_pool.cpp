@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
-#include <exception>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 #include "base/clock.h"
 

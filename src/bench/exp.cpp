@@ -8,7 +8,6 @@
 #include "base/text.h"
 #include "bench/ensembles.h"
 #include "bench/matrix_array.h"
-#include "bench/table.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"

@@ -2,10 +2,7 @@
 
 #include <functional>
 
-#include "bench/exp.h"
-#include "bench/frame.h"
 #include "bench/models.h"
-#include "bench/modes.h"
 
 namespace viete::bench {
 

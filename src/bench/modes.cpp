@@ -1,11 +1,8 @@
 #include "bench/modes.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <deque>
 #include <limits>
-#include <memory>
 #include <set>
 #include <utility>
 
@@ -13,8 +10,6 @@
 #include "base/error.h"
 #include "base/median.h"
 #include "base/text.h"
-#include "base/worker_pool.h"
-#include "bench/models.h"
 #include "bench/table.h"
 #include "deform/bind.h"
 #include "deform/binding.h"

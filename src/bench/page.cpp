@@ -8,9 +8,7 @@
 
 #include "app/assets.h"
 #include "base/text.h"
-#include "bench/figures.h"
 #include "bench/plot.h"
-#include "bench/table.h"
 #include "sym3/kernel.h"
 
 namespace viete::bench {

@@ -31,17 +31,19 @@ const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method met
                        : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
 }
 
-// Returns the largest error of the method in double precision, over all tables whose rows are gaps.
-std::string worst_error(const Figures& figures, Method method) {
+double error_of(const AccuracyTable::Row& row, Method method) {
   const auto methods = exp_methods();
   const auto at = std::ranges::find(methods, sym3::label(method),
                                     [](const ExpMethod& m) { return std::string_view(m.name); });
+  return row.cells[static_cast<std::size_t>(at - methods.begin())].worst;
+}
+
+// Returns the largest error of the method in double precision, over all tables whose rows are gaps.
+std::string worst_error(const Figures& figures, Method method) {
   double worst = 0;
-  for (const AccuracyTable& table : figures.accuracy) {
-    if (table.by != "gap") continue;
-    for (const auto& row : table.rows)
-      worst = std::max(worst, row.cells[static_cast<std::size_t>(at - methods.begin())].worst);
-  }
+  for (const AccuracyTable& table : figures.accuracy)
+    if (table.by == "gap")
+      for (const auto& row : table.rows) worst = std::max(worst, error_of(row, method));
   return error_text(worst);
 }
 
@@ -190,14 +192,11 @@ std::string errors_plot(const AccuracyTable& accuracy) {
   constexpr double least = 1e-20;
   Plot plot;
   plot.across = accuracy.by;
-  const auto methods = exp_methods();
   for (const Method m : shown_methods) {
-    const auto at =
-        std::ranges::find(methods, sym3::label(m), [](const auto& e) { return std::string_view(e.name); });
-    PlotCurve curve{at->name, color_of_method(at->name), false, {}};
+    const std::string label(sym3::label(m));
+    PlotCurve curve{label, color_of_method(label), false, {}};
     for (const auto& row : accuracy.rows)
-      if (row.value >= least)
-        curve.points.push_back({row.value, row.cells[static_cast<std::size_t>(at - methods.begin())].worst});
+      if (row.value >= least) curve.points.push_back({row.value, error_of(row, m)});
     std::ranges::sort(curve.points, {}, &PlotCurve::Point::count);
     plot.curves.push_back(std::move(curve));
   }

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "deform/binding.h"
 #include "deform/cage_state.h"
 #include "deform/maps.h"
 #include "deform/tiled_binding.h"
@@ -16,7 +13,6 @@
 #include "formats/read.h"
 #include "formats/text_cursor.h"
 #include "formats/write.h"
-#include "mesh/surface.h"
 #include "mesh/triangle.h"
 #include "mesh/vector.h"
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "document/animation.h"
 #include "document/pose_edit.h"
 
 namespace viete::document {

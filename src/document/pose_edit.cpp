@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "document/animation.h"
 #include "document/record.h"
 
 namespace viete::document {

@@ -4,7 +4,6 @@
 #include <array>
 #include <limits>
 #include <string>
-#include <utility>
 
 #include "document/pose_edit.h"
 #include "document/record.h"

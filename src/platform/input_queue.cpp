@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
-#include <utility>
-#include <vector>
 
 namespace viete::platform {
 

@@ -1,7 +1,6 @@
 #include "render/image.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/atomic_file.h"

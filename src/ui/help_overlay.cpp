@@ -1,9 +1,7 @@
 #include "ui/help_overlay.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "ui/imgui_bridge.h"
 #include "ui/panels.h"

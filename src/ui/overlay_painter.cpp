@@ -1,6 +1,5 @@
 #include "ui/overlay_painter.h"
 
-#include <array>
 #include <vector>
 
 namespace viete::ui {

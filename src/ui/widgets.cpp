@@ -10,7 +10,6 @@
 #include "document/edit.h"
 #include "interact/number_entry.h"
 #include "ui/imgui_bridge.h"
-#include "workspace/command.h"
 
 namespace viete::ui {
 
@@ -44,6 +43,26 @@ std::string typed_so_far(const Context& ui, const std::string& name, const std::
   if (typed == ui.workspace.panels.typed.end()) return otherwise;
   const bool still_there = typed->second.frame + 1 == ImGui::GetFrameCount();
   return still_there ? typed->second.text : otherwise;
+}
+
+// A text field. Returns the text when the field loses the focus after an edit; nullopt during editing and
+// after Esc.
+std::optional<std::string> text_field(const Context& ui, const std::string& name, const std::string& shown,
+                                      const char* tip, bool enabled = true,
+                                      ImGuiInputTextCallback filter = nullptr) {
+  char text[200] = "";
+  typed_so_far(ui, name, shown).copy(text, sizeof text - 1);
+  const int filters = filter ? ImGuiInputTextFlags_CallbackCharFilter : 0;
+  ImGui::InputText(("##" + name).c_str(), text, sizeof text, filters | ImGuiInputTextFlags_AutoSelectAll,
+                   filter);
+  record(ui, name, enabled);
+  if (*tip) hint(tip);
+  if (ImGui::IsItemActive()) {
+    ui.workspace.panels.typed[name] = {text, ImGui::GetFrameCount()};
+    return std::nullopt;
+  }
+  ui.workspace.panels.typed.erase(name);
+  return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
 }
 
 }  // namespace
@@ -369,21 +388,10 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
                                    const char* tip, bool enabled) {
   if (width != 0) ImGui::SetNextItemWidth(width);
   const std::string shown = printed(value, ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x);
-  char text[64] = "";
-  typed_so_far(ui, name, shown).copy(text, sizeof text - 1);
-  constexpr auto flags = ImGuiInputTextFlags_CallbackCharFilter | ImGuiInputTextFlags_AutoSelectAll;
-  ImGui::InputText(("##" + name).c_str(), text, sizeof text, flags, filter_number);
-  record(ui, name, enabled);
-  if (*tip) hint(tip);
-  if (ImGui::IsItemActive()) {
-    ui.workspace.panels.typed[name] = {text, ImGui::GetFrameCount()};
-    return std::nullopt;
-  }
-  ui.workspace.panels.typed.erase(name);
-  if (!ImGui::IsItemDeactivatedAfterEdit() || text[0] == 0 || text == shown) return std::nullopt;
-  const auto number = interact::number_of(text);
-  if (!number)
-    ui.workspace.messages.warn('"' + std::string(text) + "\" is not a number; nothing was changed");
+  const auto typed = text_field(ui, name, shown, tip, enabled, filter_number);
+  if (!typed || typed->empty() || *typed == shown) return std::nullopt;
+  const auto number = interact::number_of(*typed);
+  if (!number) ui.workspace.messages.warn('"' + *typed + "\" is not a number; nothing was changed");
   return number;
 }
 
@@ -464,18 +472,8 @@ std::optional<double> slider_row(const Context& ui, const char* label, float dis
 
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
                                       float width, const char* what) {
-  char text[200] = "";
-  typed_so_far(ui, id, name).copy(text, sizeof text - 1);
   ImGui::SetNextItemWidth(width);
-  ImGui::InputText(("##" + id).c_str(), text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
-  record(ui, id);
-  hint(what);
-  if (ImGui::IsItemActive()) {
-    ui.workspace.panels.typed[id] = {text, ImGui::GetFrameCount()};
-    return std::nullopt;
-  }
-  ui.workspace.panels.typed.erase(id);
-  return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
+  return text_field(ui, id, name, what);
 }
 
 std::optional<std::size_t> recent_list(const Context& ui) {

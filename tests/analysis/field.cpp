@@ -2,11 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <set>
-#include <vector>
 
 #include "sym3/double_double.h"
 #include "sym3/reference.h"

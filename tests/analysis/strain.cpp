@@ -2,10 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <functional>
-#include <vector>
-
 #include "analysis/field.h"
 #include "sym3/rotation.h"
 

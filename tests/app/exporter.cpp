@@ -1,12 +1,6 @@
 #include "app/exporter.h"
 
-#include <doctest/doctest.h>
-
-#include <filesystem>
-
-#include "files/open.h"
 #include "support/files.h"
-#include "support/open.h"
 
 using namespace viete;
 

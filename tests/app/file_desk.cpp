@@ -1,22 +1,10 @@
 #include "app/file_desk.h"
 
-#include <doctest/doctest.h>
-
-#include <chrono>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <thread>
-#include <utility>
-
 #include "document/pose_edit.h"
-#include "document/record.h"
-#include "formats/write.h"
 #include "support/commands.h"
 #include "support/files.h"
 #include "support/shapes.h"
 #include "support/text.h"
-#include "workspace/apply_opened.h"
 #include "workspace/saving.h"
 
 using namespace viete;

@@ -4,9 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <string>
-
-#include "base/error.h"
 #include "support/text.h"
 
 using namespace viete;

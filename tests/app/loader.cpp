@@ -1,9 +1,5 @@
 #include "app/loader.h"
 
-#include <doctest/doctest.h>
-
-#include <utility>
-
 #include "support/files.h"
 #include "workspace/saving.h"
 

@@ -2,11 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include "sym3/reference.h"
 
 using namespace viete;
@@ -35,7 +30,7 @@ TEST_CASE("every_method_is_measured_by_its_own_errors") {
     std::sort(errors.begin(), errors.end());
     CHECK(stats.samples[m].worst_error == errors.back());
     CHECK(stats.samples[m].median_error == errors[50]);
-    CHECK(stats.samples[m].ns_per_matrix >= 0);
+    CHECK(stats.samples[m].ns_per_matrix > 0);
   }
 }
 

@@ -1,9 +1,6 @@
 #include "app/model_layer.h"
 
-#include <doctest/doctest.h>
-
 #include "mesh/normals.h"
-#include "mesh/triangulation.h"
 #include "support/folder.h"
 
 using namespace viete;

@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <initializer_list>
-#include <string>
-
 #include "support/text.h"
 
 using namespace viete;

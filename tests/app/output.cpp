@@ -1,16 +1,7 @@
 #include "app/inputs.h"
 
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <string>
-
-#include "base/error.h"
 #include "formats/format_table.h"
-#include "formats/write.h"
-#include "support/cube.h"
 #include "support/files.h"
-#include "support/folder.h"
 
 using namespace viete;
 using app::check_output;

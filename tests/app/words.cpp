@@ -2,10 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 using namespace viete;
 
 TEST_CASE("lines_break_at_blanks") {

@@ -1,10 +1,8 @@
 // The bundled cage and its poses.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "formats/read.h"
 #include "mesh/defects.h"

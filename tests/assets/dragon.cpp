@@ -1,10 +1,8 @@
 // Tests the bundled dragon: its documented properties, and that the program can make it again.
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <string>
 
 #include "dragon/model.h"
 #include "formats/read.h"

@@ -1,10 +1,6 @@
 // Tests the bundled shapes. Halfway to a shape, edge lengths must be right in log space.
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "bench/halfway.h"
 #include "deform/shape_space.h"
 #include "formats/point_cache.h"

@@ -1,6 +1,5 @@
 #include "base/atomic_file.h"
 
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>

@@ -1,14 +1,7 @@
 #include <doctest/doctest.h>
-#include <atomic>
-#include <future>
-#include <memory>
-#include <stdexcept>
-#include <thread>
 #include <vector>
 
 #include "base/background.h"
-#include "base/clock.h"
-#include "base/progress.h"
 #include "support/threads_left.h"
 
 TEST_CASE("thread_time_does_not_count_sleep_and_wall_time_does") {

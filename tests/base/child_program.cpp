@@ -1,9 +1,6 @@
 #include "base/process.h"
 
-#include <doctest/doctest.h>
-
 #include <chrono>
-#include <csignal>
 #include <thread>
 
 #include "support/folder.h"

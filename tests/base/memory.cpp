@@ -1,8 +1,6 @@
 #include <doctest/doctest.h>
 #include <cstdint>
 #include <cstring>
-#include <limits>
-#include <new>
 
 #include "base/error.h"
 #include "base/memory.h"

@@ -1,7 +1,5 @@
 #include "base/numbered_files.h"
 
-#include <doctest/doctest.h>
-
 #include "base/error.h"
 #include "support/folder.h"
 

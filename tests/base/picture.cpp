@@ -1,9 +1,5 @@
 #include "base/picture.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "base/error.h"
 #include "support/data.h"
 #include "support/folder.h"

@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <atomic>
-#include <string>
 #include <thread>
 
 #include "base/process.h"

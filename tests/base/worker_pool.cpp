@@ -7,9 +7,7 @@
 
 #include <atomic>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
-#include <vector>
 
 #include "support/threads_left.h"
 

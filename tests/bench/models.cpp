@@ -1,17 +1,8 @@
-#include <doctest/doctest.h>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include "base/error.h"
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/shapes.h"
-#include "mesh/summary.h"
-#include "mesh/triangle.h"
 #include "mesh/winding_number.h"
 #include "support/shapes.h"
 

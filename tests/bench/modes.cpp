@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <vector>
-
-#include "bench/models.h"
 #include "bench/modes.h"
 #include "deform/shapes.h"
 #include "support/shapes.h"

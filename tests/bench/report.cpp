@@ -1,22 +1,10 @@
-#include <doctest/doctest.h>
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "base/text.h"
-#include "bench/accuracy.h"
-#include "bench/exp.h"
-#include "bench/figures.h"
 #include "bench/page.h"
-#include "bench/plot.h"
-#include "bench/table.h"
 #include "formats/write.h"
 #include "support/data.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 #include "support/text.h"
 #include "support/xml.h"

@@ -1,16 +1,9 @@
 // Manual edits of cages with concave polygons. The surface must stay connected and have the right volume.
 #include "cages/edit.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-
 #include "cages/enclose.h"
 #include "cages/soundness.h"
-#include "formats/read.h"
 #include "mesh/summary.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 
 using namespace viete;

@@ -1,9 +1,6 @@
-#include <doctest/doctest.h>
-
 #include "cages/judge.h"
 #include "cages/make.h"
 #include "cages/models.h"
-#include "mesh/triangulation.h"
 
 using namespace viete;
 using namespace viete::test;

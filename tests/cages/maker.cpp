@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
 #include <chrono>
-#include <thread>
-#include <utility>
 
-#include "base/error.h"
-#include "base/progress.h"
 #include "cages/judge.h"
 #include "cages/make.h"
 #include "cages/models.h"
-#include "mesh/summary.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -1,12 +1,7 @@
-#include <doctest/doctest.h>
-
-#include "cages/extraction.h"
 #include "cages/judge.h"
 #include "cages/make.h"
 #include "cages/models.h"
 #include "cages/soundness.h"
-#include "cages/subject.h"
-#include "mesh/summary.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -3,7 +3,6 @@
 #include "cages/judge.h"
 #include "cages/make.h"
 #include "formats/read.h"
-#include "mesh/summary.h"
 #include "support/data.h"
 
 using namespace viete;

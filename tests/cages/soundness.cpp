@@ -1,10 +1,5 @@
-#include <doctest/doctest.h>
-#include <random>
-
-#include "cages/clearance.h"
-#include "cages/extraction.h"
-#include "cages/models.h"
 #include "cages/soundness.h"
+#include "cages/models.h"
 #include "cages/subject.h"
 #include "mesh/summary.h"
 

@@ -1,10 +1,8 @@
 // Compares both engines with independent code in quad precision.
-#include <doctest/doctest.h>
 
 #include "deform/all_maps.h"
 #include "deform/bound.h"
 #include "deform/independent.h"
-#include "deform/patch_maps.h"
 #include "support/skip.h"
 
 using namespace viete;

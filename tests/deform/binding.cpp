@@ -1,15 +1,8 @@
-#include <doctest/doctest.h>
 #include <Eigen/Dense>
-#include <numeric>
 
-#include "base/error.h"
-#include "deform/bind.h"
-#include "deform/bind_kernel.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/factoring.h"
-#include "deform/shapes.h"
-#include "deform/tiled_binding.h"
 
 using namespace viete::test;
 

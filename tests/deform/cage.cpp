@@ -1,8 +1,6 @@
 #include <doctest/doctest.h>
-#include <array>
 #include <cstring>
 
-#include "base/error.h"
 #include "deform/all_maps.h"
 #include "deform/cage.h"
 #include "deform/cage_state.h"

@@ -1,13 +1,7 @@
-#include <doctest/doctest.h>
 #include <set>
 
-#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/deformer.h"
-#include "deform/scheme.h"
-#include "deform/shapes.h"
-#include "deform/staged_engine.h"
-#include "sym3/exp.h"
 
 using namespace viete::test;
 

@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "deform/bound.h"
 #include "support/skip.h"
 

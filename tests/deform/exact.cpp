@@ -1,10 +1,7 @@
 #include "deform/exact.h"
 
-#include <doctest/doctest.h>
-
 #include <fstream>
 
-#include "base/error.h"
 #include "deform/bound.h"
 #include "support/skip.h"
 

@@ -2,10 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <limits>
-#include <numeric>
-
-#include "base/error.h"
 #include "deform/shapes.h"
 #include "formats/read.h"
 #include "support/data.h"

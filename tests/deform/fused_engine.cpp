@@ -1,11 +1,5 @@
 #include "deform/fused_engine.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "deform/bound.h"
 
 using namespace viete::test;

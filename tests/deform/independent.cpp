@@ -1,10 +1,7 @@
 #include "deform/independent.h"
 
-#include <cmath>
 #include <map>
-#include <utility>
 
-#include "deform/maps.h"
 #include "sym3/quad_reference.h"
 
 namespace viete::test {

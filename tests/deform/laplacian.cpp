@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 #include <Eigen/SparseCore>
-#include <cmath>
 
 #include "deform/laplacian.h"
 #include "deform/shapes.h"

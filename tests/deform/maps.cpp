@@ -1,6 +1,4 @@
 #include <doctest/doctest.h>
-#include <cmath>
-#include <limits>
 
 #include "deform/all_maps.h"
 #include "deform/shapes.h"

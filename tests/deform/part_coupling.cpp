@@ -1,15 +1,5 @@
 #include "deform/part_coupling.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <utility>
-
-#include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/pose_io.h"
 #include "deform/shapes.h"

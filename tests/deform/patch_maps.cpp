@@ -1,9 +1,6 @@
 #include "deform/patch_maps.h"
 
-#include <doctest/doctest.h>
-
 #include "deform/all_maps.h"
-#include "deform/binding.h"
 #include "deform/bound.h"
 
 using namespace viete;

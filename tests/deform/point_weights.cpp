@@ -1,13 +1,5 @@
-#include <doctest/doctest.h>
-#include <algorithm>
-#include <numeric>
-
-#include "base/error.h"
-#include "deform/bind.h"
-#include "deform/bound.h"
 #include "deform/point_weights.h"
-#include "deform/shapes.h"
-#include "mesh/triangle.h"
+#include "deform/bound.h"
 
 using namespace viete::test;
 

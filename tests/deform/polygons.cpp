@@ -1,12 +1,7 @@
 // Results depend on the polygons of cage and model, and not on their triangles or order.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <map>
 
 #include "deform/bound.h"
 #include "deform/shape_space.h"
-#include "support/random.h"
 #include "support/shapes.h"
 
 using namespace viete;

@@ -1,8 +1,5 @@
 #include "deform/pose_io.h"
 
-#include <doctest/doctest.h>
-
-#include "base/error.h"
 #include "deform/shapes.h"
 #include "formats/read.h"
 #include "formats/write.h"

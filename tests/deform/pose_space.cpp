@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <random>
-
-#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete;

@@ -1,12 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-#include <numeric>
-
 #include "deform/bound.h"
-#include "deform/maps.h"
-#include "deform/probe_layer.h"
 
 using namespace viete::test;
 using viete::sym3::Method;

@@ -17,10 +17,8 @@
 // 18 Harmonic weights leave [0, 1]: harmonic_weights_are_between_0_and_1_for_any_triangles
 // 19 Masks: shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles
 // 20 Too much memory: a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double
-#include <doctest/doctest.h>
 
 #include "deform/bound.h"
-#include "deform/tiled_binding.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -1,6 +1,3 @@
-#include <doctest/doctest.h>
-
-#include "base/error.h"
 #include "deform/bound.h"
 #include "deform/pose_io.h"
 #include "formats/read.h"

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "base/error.h"
 #include "deform/shapes.h"
 #include "support/skip.h"
 

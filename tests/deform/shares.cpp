@@ -1,5 +1,4 @@
 // Tests vertices that follow only a part of their motion, because of partial weights or a mask.
-#include <doctest/doctest.h>
 
 #include "deform/bound.h"
 

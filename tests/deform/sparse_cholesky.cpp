@@ -2,12 +2,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
-#include "base/error.h"
 #include "deform/laplacian.h"
 #include "deform/shapes.h"
 #include "deform/sparse/sparse_cholesky.h"
-#include "deform/sparse/sparse_kernel.h"
-#include "sym3/kernel.h"
 
 using namespace viete;
 using namespace viete::test;

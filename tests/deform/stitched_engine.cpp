@@ -1,7 +1,5 @@
 #include "deform/stitched_engine.h"
 
-#include <doctest/doctest.h>
-
 #include "deform/bound.h"
 #include "mesh/normals.h"
 

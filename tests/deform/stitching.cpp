@@ -1,13 +1,6 @@
 #include "deform/stitched_engine.h"
 
-#include <doctest/doctest.h>
-
-#include "base/error.h"
-#include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/exact.h"
-#include "deform/laplacian.h"
-#include "deform/scheme.h"
 
 using namespace viete;
 using namespace viete::test;

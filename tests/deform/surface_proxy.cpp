@@ -1,18 +1,6 @@
 #include "deform/surface_proxy.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
-#include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/cage_state.h"
-#include "deform/shapes.h"
-#include "deform/surface_weights.h"
-#include "deform/tiled_binding.h"
-#include "support/random.h"
 #include "support/shapes.h"
 #include "support/skip.h"
 

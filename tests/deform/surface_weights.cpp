@@ -1,19 +1,11 @@
 #include "deform/surface_weights.h"
 
-#include <doctest/doctest.h>
-
 #include <Eigen/Dense>
-#include <numeric>
 
-#include "base/error.h"
-#include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/point_weights.h"
-#include "deform/tiled_binding.h"
 #include "deform/vertex_sample.h"
 #include "mesh/drawing.h"
-#include "mesh/triangle.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -1,5 +1,4 @@
 // Twists a tube by full turns. The tube must follow the cage and must not tear.
-#include <doctest/doctest.h>
 
 #include "deform/bound.h"
 

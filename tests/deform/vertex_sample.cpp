@@ -1,9 +1,6 @@
 #include "deform/vertex_sample.h"
 
-#include <doctest/doctest.h>
-
 #include "deform/bound.h"
-#include "sym3/small_matrices.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -1,11 +1,7 @@
 #include "deform/weigher.h"
 
-#include <doctest/doctest.h>
-
 #include "deform/bound.h"
 #include "deform/point_weights.h"
-#include "deform/shapes.h"
-#include "mesh/triangle.h"
 
 using namespace viete::test;
 

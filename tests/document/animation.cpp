@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "base/worker_pool.h"
 #include "support/posed_cube.h"
 
 using namespace viete;

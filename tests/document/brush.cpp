@@ -1,13 +1,8 @@
 #include "document/brush.h"
 
-#include <doctest/doctest.h>
-
-#include "deform/maps.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/files.h"
-#include "support/open.h"
-#include "workspace/workspace.h"
 
 using namespace viete;
 using namespace viete::document;

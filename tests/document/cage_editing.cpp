@@ -1,18 +1,10 @@
 #include "document/cage_editing.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
-#include "base/error.h"
-#include "document/checks.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
-#include "mesh/summary.h"
 #include "mesh/winding_number.h"
 #include "support/cube.h"
 #include "support/edits.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 #include "workspace/saving.h"
 

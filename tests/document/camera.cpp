@@ -1,13 +1,5 @@
 #include "document/camera.h"
-#include "document/document.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include "document/range.h"
 #include "interact/axis_widget.h"
 #include "support/commands.h"
 #include "support/cube.h"

@@ -1,16 +1,9 @@
 #include "document/checks.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <memory>
-
 #include "deform/cage_state.h"
-#include "mesh/triangulation.h"
 #include "support/cube.h"
 #include "support/shapes.h"
 #include "support/text.h"
-#include "workspace/workspace.h"
 
 using namespace viete;
 using namespace viete::document;

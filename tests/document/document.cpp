@@ -1,16 +1,6 @@
 #include "document/document.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
-#include "base/error.h"
-#include "document/history.h"
-#include "document/space.h"
-#include "formats/write.h"
-#include "support/cube.h"
 #include "support/files.h"
-#include "support/open.h"
 
 using namespace viete;
 using namespace viete::document;

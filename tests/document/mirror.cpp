@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
-
-#include "document/edit.h"
 #include "interact/mirror_edit.h"
 #include "support/cube.h"
 #include "support/edits.h"

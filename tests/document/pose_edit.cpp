@@ -2,17 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-
-#include "base/error.h"
 #include "document/cage_editing.h"
-#include "document/edit.h"
 #include "document/probes.h"
-#include "document/record.h"
-#include "document/time_edit.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"
 

@@ -1,20 +1,10 @@
 #include "document/probes.h"
 
-#include <doctest/doctest.h>
-
-#include "deform/maps.h"
-#include "document/brush.h"
-#include "document/edit.h"
-#include "document/range.h"
-#include "interact/cursor_projection.h"
-#include "interact/grip.h"
-#include "interact/picking.h"
 #include "interact/placing.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/files.h"
 #include "support/grips.h"
-#include "support/open.h"
 #include "workspace/pointer.h"
 #include "workspace/saving.h"
 

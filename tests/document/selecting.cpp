@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "document/edit.h"
-#include "mesh/triangulation.h"
 #include "support/cube.h"
 
 using namespace viete;

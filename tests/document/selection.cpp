@@ -1,11 +1,6 @@
 #include "document/selection.h"
 
-#include <doctest/doctest.h>
-
-#include "document/edit.h"
 #include "document/elements.h"
-#include "interact/grip.h"
-#include "interact/picking.h"
 #include "interact/placing.h"
 #include "support/commands.h"
 #include "support/cube.h"

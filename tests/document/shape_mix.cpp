@@ -1,7 +1,5 @@
 #include "document/animation.h"
 
-#include <doctest/doctest.h>
-
 #include "support/files.h"
 #include "support/posed_cube.h"
 #include "support/text.h"

@@ -1,19 +1,9 @@
 // Tests shapes of the model: import, mixing, sessions, cages and pins.
-#include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "document/edit.h"
-#include "document/pose_edit.h"
 #include "document/probes.h"
-#include "document/record.h"
 #include "document/time_edit.h"
-#include "formats/write.h"
 #include "support/distance.h"
 #include "support/files.h"
-#include "support/folder.h"
-#include "support/open.h"
 #include "support/text.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"

@@ -2,10 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <limits>
-
-#include "base/error.h"
-#include "document/record.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"
 

@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "support/posed_cube.h"
 
 using namespace viete;

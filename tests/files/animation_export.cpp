@@ -1,23 +1,11 @@
 #include "files/animation_export.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <thread>
 
-#include "base/error.h"
-#include "deform/scheme.h"
 #include "files/animated_model.h"
-#include "formats/point_cache.h"
-#include "formats/read.h"
-#include "formats/write.h"
 #include "support/animated_cube.h"
 #include "support/ball.h"
-#include "support/distance.h"
 #include "support/far.h"
-#include "support/folder.h"
 #include "support/gltf.h"
 #include "support/text.h"
 

@@ -1,17 +1,10 @@
 #include "files/animation_import.h"
 
-#include <doctest/doctest.h>
-
-#include "base/error.h"
 #include "deform/pose_io.h"
 #include "files/animation_export.h"
-#include "files/open.h"
 #include "formats/morph_keys.h"
-#include "formats/point_cache.h"
 #include "support/animated_cube.h"
-#include "support/distance.h"
 #include "support/gltf.h"
-#include "support/open.h"
 #include "support/text.h"
 
 using namespace viete;

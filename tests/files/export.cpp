@@ -1,10 +1,5 @@
 #include "files/export.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "base/error.h"
 #include "files/animation_export.h"
 #include "formats/read.h"
 #include "support/files.h"

@@ -1,13 +1,8 @@
 #include "files/json_codec.h"
 
-#include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include <string>
-
-#include "base/error.h"
 #include "support/files.h"
-#include "support/folder.h"
 #include "support/text.h"
 
 using namespace viete;

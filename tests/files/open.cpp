@@ -1,20 +1,12 @@
 #include "files/open.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
-#include "document/edit.h"
 #include "document/elements.h"
-#include "document/pose_edit.h"
 #include "support/commands.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/files.h"
-#include "support/open.h"
 #include "support/posed_cube.h"
 #include "support/text.h"
 #include "workspace/saving.h"

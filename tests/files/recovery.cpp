@@ -1,11 +1,8 @@
 #include "files/recovery.h"
 
-#include <doctest/doctest.h>
-
 #include <set>
 
 #include "document/pose_edit.h"
-#include "files/session.h"
 #include "support/files.h"
 #include "support/zombie.h"
 #include "workspace/saving.h"

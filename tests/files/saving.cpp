@@ -1,18 +1,11 @@
 #include "workspace/saving.h"
 
-#include <doctest/doctest.h>
-
-#include "document/edit.h"
-#include "files/session.h"
 #include "formats/read.h"
 #include "interact/placing.h"
-#include "interact/transform.h"
 #include "support/commands.h"
 #include "support/files.h"
 #include "support/grips.h"
-#include "support/open.h"
 #include "support/text.h"
-#include "workspace/command.h"
 
 using namespace viete;
 using namespace viete::document;

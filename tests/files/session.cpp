@@ -1,30 +1,20 @@
 #include "files/session.h"
 
-#include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <random>
 
-#include "document/brush.h"
-#include "document/edit.h"
 #include "document/probes.h"
-#include "document/record.h"
 #include "files/json_codec.h"
-#include "files/open.h"
-#include "interact/grip.h"
 #include "interact/placing.h"
 #include "support/files.h"
 #include "support/grips.h"
-#include "support/open.h"
 #include "support/posed_cube.h"
 #include "support/skip.h"
 #include "support/text.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
-#include "workspace/split.h"
 
 using namespace viete;
 using test::mentions;

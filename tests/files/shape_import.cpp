@@ -1,12 +1,8 @@
 #include "files/shape_import.h"
 
-#include <doctest/doctest.h>
-
-#include <numeric>
 #include <random>
 
 #include "formats/morph_keys.h"
-#include "formats/point_cache.h"
 #include "formats/read.h"
 #include "support/files.h"
 #include "support/posed_cube.h"

@@ -1,7 +1,5 @@
 #include "formats/conversion.h"
 
-#include <doctest/doctest.h>
-
 #include "formats/write.h"
 #include "support/gltf.h"
 #include "support/shapes.h"

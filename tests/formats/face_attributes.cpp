@@ -1,5 +1,4 @@
 // Reads, keeps and converts face colours and face texture coordinates.
-#include <doctest/doctest.h>
 
 #include "formats/write.h"
 #include "support/shapes.h"

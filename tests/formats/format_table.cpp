@@ -1,9 +1,6 @@
 // Compares the table of formats with readers, writers, shell completions and desktop entries.
 #include "formats/format_table.h"
 
-#include <doctest/doctest.h>
-
-#include "formats/read.h"
 #include "formats/write.h"
 #include "support/data.h"
 #include "support/shapes.h"

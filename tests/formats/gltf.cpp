@@ -1,11 +1,8 @@
 #include "formats/codecs.h"
 
-#include <doctest/doctest.h>
-
 #include "formats/gltf_judge.h"
 #include "formats/write.h"
 #include "support/far.h"
-#include "support/folder.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
 
@@ -36,6 +33,11 @@ int accessor_of(const std::string& glb, std::size_t mesh, const char* attribute)
   std::uint32_t size = 0;
   std::memcpy(&size, glb.data() + 12, 4);
   return GltfJson::parse(glb.substr(20, size))["meshes"][mesh]["primitives"][0]["attributes"][attribute];
+}
+
+std::vector<std::string> rewrite(const ReadResult& r, const std::filesystem::path& to,
+                                 const std::vector<Point>& positions) {
+  return r.original->write_file(to, r.surface, positions, {}, nullptr);
 }
 
 std::vector<Point> raised(const Surface& s, double by) {
@@ -108,8 +110,7 @@ TEST_CASE("unmoved_gltf_keeps_every_byte_and_key") {
     parts.json["extensionsUsed"] = {"VENDOR_thing"};
     parts.json["extensions"] = {{"VENDOR_thing", {{"deep", {1, 2.5, "three"}}}}};
     const bool binary = std::string(name) == "a.glb";
-    test::put_file(folder / name, binary ? parts.glb() : parts.text());
-    const ReadResult r = read(folder / name);
+    const ReadResult r = test::put_and_read(folder / name, binary ? parts.glb() : parts.text());
     r.original->write_file(folder / (std::string("out-") + name), r.surface, r.surface.positions, {},
                            nullptr);
     const std::string out = test::file_bytes(folder / (std::string("out-") + name));
@@ -124,10 +125,9 @@ TEST_CASE("unmoved_gltf_keeps_every_byte_and_key") {
 TEST_CASE("deformed_gltf_differs_only_in_positions_and_normals") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
   const auto posed = raised(r.surface, 0.25);
-  CHECK(r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr).empty());
+  CHECK(rewrite(r, folder / "b.glb", posed).empty());
   const std::string out = test::file_bytes(folder / "b.glb");
   CHECK(out.substr(out.size() - 70) ==
         parts.glb().substr(parts.glb().size() - 70));  // texture points, indices, image
@@ -147,11 +147,10 @@ TEST_CASE("instances_that_deform_differently_become_separate_meshes") {
   GltfParts parts = test::patch();
   parts.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {5, 0, 0}}, {"scale", {2, 2, 2}}}};
   parts.json["scenes"] = {{{"nodes", {0, 1}}}};
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
   REQUIRE(r.surface.positions.size() == 12);
   const auto posed = raised(r.surface, 0.125);
-  const auto notes = r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
+  const auto notes = rewrite(r, folder / "b.glb", posed);
   REQUIRE(notes.size() == 1);
   CHECK(holds(notes[0], "shared meshes were copied 1 time"));
   const ReadResult again = read(folder / "b.glb");
@@ -176,11 +175,10 @@ TEST_CASE("shared_or_non_float_positions_get_new_accessors") {
   parts.json["scenes"] = {{{"nodes", {0, 1}}}};
   parts.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}}}},
                                {"samplers", {{{"input", 0}, {"output", 0}}}}}};
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
   CHECK(holds(r.warnings.at(0), "animations are ignored"));
   const auto posed = raised(r.surface, 0.5);
-  r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
+  rewrite(r, folder / "b.glb", posed);
   const ReadResult again = read(folder / "b.glb");
   REQUIRE(again.surface.positions.size() == posed.size());
   for (std::size_t i = 0; i < posed.size(); ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
@@ -196,12 +194,11 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   GltfParts parts = test::patch();
   parts.json["images"] = {{{"uri", "my%20paint.png"}}};
   test::put_file(folder / "in/the data.bin", parts.bytes);
-  test::put_file(folder / "in/a.gltf", parts.beside("the%20data.bin"));
-  const ReadResult r = read(folder / "in/a.gltf");
+  const ReadResult r = test::put_and_read(folder / "in/a.gltf", parts.beside("the%20data.bin"));
   CHECK(r.attributes->images[0].path == folder / "in/my paint.png");
   const auto posed = raised(r.surface, 1);
   test::put_file(folder / "out/b.bin", "somebody's");
-  const auto notes = r.original->write_file(folder / "out/b.gltf", r.surface, posed, {}, nullptr);
+  const auto notes = rewrite(r, folder / "out/b.gltf", posed);
   CHECK(holds(notes.at(0), " refers to 1 image in the folder of the old file"));
   CHECK(test::file_bytes(folder / "out/b.bin") == "somebody's");
   CHECK(read(folder / "out/b.gltf").surface.positions == posed);
@@ -209,13 +206,13 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   CHECK(out["buffers"][0]["uri"] == "b-2.bin");
   CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
   CHECK(notes.at(1) == "the buffer was written to " + (folder / "out/b-2.bin").string());
-  r.original->write_file(folder / "out/b.gltf", r.surface, raised(r.surface, 2), {}, nullptr);
+  rewrite(r, folder / "out/b.gltf", raised(r.surface, 2));
   CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // b-2.bin was replaced
   CHECK(read(folder / "out/b.gltf").surface.positions == raised(r.surface, 2));
-  r.original->write_file(folder / "in/a.gltf", r.surface, posed, {}, nullptr);
+  rewrite(r, folder / "in/a.gltf", posed);
   CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);
-  r.original->write_file(folder / "out/c.glb", r.surface, posed, {}, nullptr);
-  r.original->write_file(folder / "out/\xE9.gltf", r.surface, posed, {}, nullptr);  // Latin-1 file name
+  rewrite(r, folder / "out/c.glb", posed);
+  rewrite(r, folder / "out/\xE9.gltf", posed);  // Latin-1 file name
   CHECK(read(folder / "out/\xE9.gltf").surface.positions == posed);
   CHECK(read(folder / "out/c.glb").surface.positions == posed);
 }
@@ -225,14 +222,12 @@ TEST_CASE("failed_gltf_write_keeps_the_old_buffer") {
   GltfParts parts = test::patch();
   test::put_file(folder / "in.bin", parts.bytes);
   parts.json["extras"] = std::string(4000, 'x');
-  test::put_file(folder / "in.gltf", parts.beside("in.bin"));
-  const ReadResult r = read(folder / "in.gltf");
-  r.original->write_file(folder / "out.gltf", r.surface, raised(r.surface, 1), {}, nullptr);
+  const ReadResult r = test::put_and_read(folder / "in.gltf", parts.beside("in.bin"));
+  rewrite(r, folder / "out.gltf", raised(r.surface, 1));
   const std::string before = test::file_bytes(folder / "out.bin");
   {
     const test::FullDisk room_for_the_buffer_alone(1000);
-    CHECK_THROWS_AS(r.original->write_file(folder / "out.gltf", r.surface, raised(r.surface, 2), {}, nullptr),
-                    base::Error);
+    CHECK_THROWS_AS(rewrite(r, folder / "out.gltf", raised(r.surface, 2)), base::Error);
   }
   CHECK(test::file_bytes(folder / "out.bin") == before);
   CHECK(folder.entries() == 4);
@@ -252,7 +247,7 @@ TEST_CASE("images_outside_of_the_model_folder_are_found_and_referenced") {
   CHECK(holds(r.warnings[0], "http://x.org/b.png"));
   const auto posed = raised(r.surface, 1);
   for (const char* name : {"far/out/b.glb", "linked/c.glb"}) {
-    const auto notes = r.original->write_file(folder / name, r.surface, posed, {}, nullptr);
+    const auto notes = rewrite(r, folder / name, posed);
     CHECK(holds(notes.at(0), " refers to 1 image in the folder of the old file"));
     const auto image = read(folder / name).attributes->images.at(0).path;
     CHECK(test::file_bytes(image) == "a picture");
@@ -280,11 +275,10 @@ TEST_CASE("many_primitives_are_replaced_in_place") {
     primitives.back()["indices"] = parts.accessor(std::vector<std::uint8_t>{0, 1, 2}, 5121, "SCALAR", 1);
   }
   parts.json["meshes"][0]["primitives"] = primitives;
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
   std::vector<Point> posed = r.surface.positions;
   for (Point& p : posed) p[2] = 1;
-  r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
+  rewrite(r, folder / "b.glb", posed);
   const ReadResult again = read(folder / "b.glb");
   CHECK(again.surface.positions == posed);
   CHECK(accessor_of(test::file_bytes(folder / "b.glb"), 0, "POSITION") ==
@@ -300,20 +294,19 @@ TEST_CASE("unknown_chunks_and_second_buffers_are_kept") {
   const auto size = static_cast<std::uint32_t>(glb.size());
   std::memcpy(glb.data() + 8, &size, 4);
   const ReadResult r = test::read_kept(glb, "glb");
-  r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
+  rewrite(r, folder / "a.glb", raised(r.surface, 1));
   CHECK(test::file_bytes(folder / "a.glb").ends_with(chunk));
   CHECK(read(folder / "a.glb").surface.positions == raised(r.surface, 1));
-  const auto notes = r.original->write_file(folder / "a.gltf", r.surface, raised(r.surface, 1), {}, nullptr);
+  const auto notes = rewrite(r, folder / "a.gltf", raised(r.surface, 1));
   CHECK(holds(notes.at(0), "chunks"));
 
   GltfJson twice = GltfJson::parse(parts.beside("data.bin"));
   twice["buffers"].push_back(twice["buffers"][0]);
   twice["bufferViews"][1]["buffer"] = 1;
   test::put_file(folder / "data.bin", parts.bytes);
-  test::put_file(folder / "b.gltf", twice.dump());
-  const ReadResult both = read(folder / "b.gltf");
+  const ReadResult both = test::put_and_read(folder / "b.gltf", twice.dump());
   CHECK(both.surface.positions == r.surface.positions);
-  both.original->write_file(folder / "c.gltf", both.surface, raised(both.surface, 1), {}, nullptr);
+  rewrite(both, folder / "c.gltf", raised(both.surface, 1));
   CHECK(std::filesystem::exists(folder / "c-2.bin"));
   CHECK(read(folder / "c.gltf").surface.positions == raised(both.surface, 1));
 }
@@ -327,7 +320,7 @@ TEST_CASE("gpu_instances_cause_a_warning_and_are_kept") {
   REQUIRE(r.warnings.size() == 1);
   CHECK(holds(r.warnings[0], "EXT_mesh_gpu_instancing is not supported"));
   const test::TemporaryFolder folder;
-  r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
+  rewrite(r, folder / "a.glb", raised(r.surface, 1));
   CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // instances use accessor 0
 }
 
@@ -427,9 +420,8 @@ TEST_CASE("deformed_mesh_of_a_flattening_node_is_rejected") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   parts.json["nodes"][0]["scale"] = {1, 1, 0};
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
-  CHECK_THROWS_WITH_AS(r.original->write_file(folder / "b.glb", r.surface, raised(r.surface, 1), {}, nullptr),
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
+  CHECK_THROWS_WITH_AS(rewrite(r, folder / "b.glb", raised(r.surface, 1)),
                        doctest::Contains("node 0: scales its mesh to zero thickness"), base::Error);
   CHECK(folder.entries() == 1);
 }

@@ -1,11 +1,7 @@
 #include "formats/morphs.h"
 
-#include <doctest/doctest.h>
-
 #include "formats/gltf_judge.h"
 #include "formats/morph_keys.h"
-#include "formats/write.h"
-#include "support/folder.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
 
@@ -177,8 +173,7 @@ TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
 
 TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   const test::TemporaryFolder folder;
-  test::put_file(folder / "a.glb", weighed_patch().glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", weighed_patch().glb());
   write(folder / "rest.glb", {r.surface, r.surface.positions, {}}, r.original.get(), {});
   CHECK(test::file_bytes(folder / "rest.glb") == test::file_bytes(folder / "a.glb"));
   std::vector<Point> posed = bent(r.surface, 0.5);
@@ -195,8 +190,7 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
       plain.accessor(std::vector<float>(shown.begin(), shown.end()), 5126, "VEC3", 3);
   plain.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
       plain.accessor(std::vector<float>(leaning.begin(), leaning.end()), 5126, "VEC3", 3);
-  test::put_file(folder / "plain.glb", plain.glb());
-  const ReadResult p = read(folder / "plain.glb");
+  const ReadResult p = test::put_and_read(folder / "plain.glb", plain.glb());
   write(folder / "plain_b.glb", {p.surface, first, {}}, p.original.get(), {});
   const MorphJudge expected(folder / "plain_b.glb");
   const auto found = judge.shown(0, "NORMAL"), wanted = expected.shown(0, "NORMAL");
@@ -214,8 +208,7 @@ TEST_CASE("targets_of_a_deformed_model_turn_with_the_surface") {
   GltfParts parts = weighed_patch();
   parts.json["nodes"] = {{{"mesh", 0}, {"translation", {9, 0, 0}}, {"scale", {2, 2, 2}}}};
   parts.json["scenes"] = {{{"nodes", {0}}}};
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
   std::vector<Point> posed, turned_targets;
   const auto turned = [](const Point& p) { return Point{-p[1], p[0], p[2]}; };
   for (const Point& p : r.surface.positions) posed.push_back(turned(p));
@@ -242,8 +235,7 @@ TEST_CASE("keys_become_targets_and_other_content_is_kept") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   for (const char* name : {"a.glb", "a.gltf"}) {
-    test::put_file(folder / name, holds(name, "glb") ? parts.glb() : parts.text());
-    const ReadResult r = read(folder / name);
+    const ReadResult r = test::put_and_read(folder / name, holds(name, "glb") ? parts.glb() : parts.text());
     CHECK(r.original->morphs() == nullptr);
     const Wave wave(r.surface);
     const auto out = folder / (std::string("out-") + name);
@@ -319,8 +311,7 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
       {{"name", "lift"},
        {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
        {"samplers", {{{"input", input}, {"output", output}}}}}};
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
   const auto before = r.original->morphs();
   REQUIRE(before);
   CHECK(before->seconds() == std::vector<double>{0, 2, 3});
@@ -351,8 +342,7 @@ TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
       {{"mesh", 0}, {"translation", {5, 0, 0}}, {"rotation", {0, 0.6, 0, 0.8}}, {"scale", {2, 1, 3}}},
       {{"mesh", 0}, {"translation", {0, 9, 0}}}};
   parts.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
-  test::put_file(folder / "a.glb", parts.glb());
-  const ReadResult r = read(folder / "a.glb");
+  const ReadResult r = test::put_and_read(folder / "a.glb", parts.glb());
   REQUIRE(r.surface.positions.size() == 18);
   std::vector<Point> posed = r.surface.positions;
   for (std::size_t i = 0; i < 12; ++i) posed[i][1] += 0.5 * posed[i][0] * posed[i][0];
@@ -496,8 +486,7 @@ TEST_CASE("far_floats_of_a_file_round_moved_and_animated_positions_and_the_notes
   std::vector<float> far = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0, 2, 1, 0};
   for (std::size_t i = 0; i < far.size(); ++i) far[i] += i % 3 == 1 ? 5411987.0f : 431234.0f;
   parts.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = parts.accessor(far, 5126, "VEC3", 3);
-  test::put_file(folder / "far.glb", parts.glb());
-  const ReadResult r = read(folder / "far.glb");
+  const ReadResult r = test::put_and_read(folder / "far.glb", parts.glb());
   std::vector<mesh::Point> moved = r.surface.positions;
   for (mesh::Point& p : moved) p[1] += 0.2;  // floats are 0.5 apart there
   const auto stated = [](const std::vector<std::string>& notes) {

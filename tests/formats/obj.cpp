@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "formats/mtl.h"
 #include "support/shapes.h"
 

@@ -1,7 +1,5 @@
 #include "formats/codecs.h"
 
-#include <doctest/doctest.h>
-
 #include "support/shapes.h"
 
 using namespace viete;

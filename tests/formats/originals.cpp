@@ -1,13 +1,10 @@
 // Rewritten PLY, STL and OFF files are identical at rest. A deformation changes only the values it affects.
-#include <doctest/doctest.h>
 
-#include <bit>
 #include <sstream>
 
 #include "formats/codecs.h"
 #include "formats/write.h"
 #include "support/far.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 
 using namespace viete;
@@ -186,8 +183,7 @@ TEST_CASE("rounding_of_far_positions_by_the_file_is_noted_with_its_size") {
         "property float y\nproperty float z\nend_header\n";
     for (const Point& p : surface.positions)
       for (const double x : p) bytes += std::string_view(bytes_of_number(float(x)).data(), 4);
-    test::put_file(folder / name, bytes);
-    const ReadResult r = read(folder / name);
+    const ReadResult r = test::put_and_read(folder / name, bytes);
     std::vector<Point> moved = r.surface.positions;
     for (Point& p : moved) p[1] += 0.2;
     return write(folder / "out.ply", {r.surface, moved, {}}, r.original.get(), {});

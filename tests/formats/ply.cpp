@@ -1,10 +1,5 @@
 #include "formats/codecs.h"
 
-#include <doctest/doctest.h>
-
-#include <bit>
-
-#include "mesh/triangulation.h"
 #include "support/shapes.h"
 
 using namespace viete;

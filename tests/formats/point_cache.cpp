@@ -1,11 +1,5 @@
 #include "formats/point_cache.h"
 
-#include <doctest/doctest.h>
-
-#include <limits>
-
-#include "base/error.h"
-#include "support/folder.h"
 #include "support/shapes.h"
 
 using namespace viete;

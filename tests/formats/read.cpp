@@ -1,10 +1,6 @@
 #include "formats/read.h"
 
-#include <doctest/doctest.h>
-
-#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "formats/foreign_content.h"
 #include "formats/write.h"
@@ -52,10 +48,9 @@ TEST_CASE("content_without_a_surface_is_rejected") {
   std::string garbage(4096, '\0');
   for (char& c : garbage) c = static_cast<char>(random());
   for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
-    CHECK(!test::refusal("", extension).empty());
-    CHECK(!test::refusal(garbage, extension).empty());
-    CHECK(!test::refusal("Dear reader,\nthis is a letter.\n", extension).empty());
-    CHECK(!test::refusal("\n\n\n", extension).empty());
+    for (const std::string& text :
+         {garbage, std::string("Dear reader,\nthis is a letter.\n"), std::string("\n\n\n")})
+      CHECK(test::refusal(text, extension).starts_with("given."));
   }
 }
 

@@ -1,7 +1,4 @@
 // Reads real files, recognises them by their content, and writes them again.
-#include <doctest/doctest.h>
-
-#include <cmath>
 
 #include "support/data.h"
 #include "support/shapes.h"

@@ -1,7 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "support/shapes.h"
 
 using namespace viete;

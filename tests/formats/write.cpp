@@ -1,11 +1,5 @@
 #include "formats/write.h"
 
-#include <doctest/doctest.h>
-
-#include <random>
-
-#include "base/error.h"
-#include "mesh/triangulation.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
 

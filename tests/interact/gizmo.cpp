@@ -1,5 +1,4 @@
 #include "interact/gizmo.h"
-#include "interact/transform_drag.h"
 
 #include <doctest/doctest.h>
 

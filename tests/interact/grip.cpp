@@ -2,13 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "document/edit.h"
 #include "interact/placing.h"
-#include "mesh/surface.h"
 #include "support/cube.h"
 
 using namespace viete;

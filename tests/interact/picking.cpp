@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "document/elements.h"
-#include "interact/cursor_projection.h"
 #include "support/cube.h"
 
 using namespace viete;

@@ -1,11 +1,6 @@
 // Tests selection with box, lasso and brush.
 #include "interact/picking.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-
-#include "document/edit.h"
 #include "document/elements.h"
 #include "support/ball.h"
 #include "support/commands.h"

@@ -2,10 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
-#include "document/camera.h"
-#include "interact/grip.h"
 #include "interact/placing.h"
 #include "support/cube.h"
 #include "support/grips.h"

@@ -2,12 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "deform/cage_state.h"
-#include "document/document_state.h"
-#include "document/edit.h"
-#include "interact/grip.h"
 #include "interact/placing.h"
 #include "support/cube.h"
 #include "support/edits.h"

@@ -2,10 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
-#include "interact/grip.h"
-#include "interact/number_entry.h"
 #include "support/cube.h"
 #include "support/grips.h"
 

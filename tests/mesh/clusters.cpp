@@ -1,8 +1,5 @@
 #include "mesh/drawing.h"
 
-#include <algorithm>
-#include <random>
-
 #include "mesh/normals.h"
 #include "mesh/summary.h"
 #include "support/shapes.h"

@@ -1,9 +1,5 @@
 #include "mesh/defects.h"
 
-#include <doctest/doctest.h>
-
-#include <random>
-
 #include "support/shapes.h"
 
 using namespace viete;

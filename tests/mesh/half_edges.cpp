@@ -1,12 +1,6 @@
 #include "mesh/half_edges.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
-#include "mesh/adjacency.h"
 #include "mesh/edge_paths.h"
-#include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 #include "support/shapes.h"
 

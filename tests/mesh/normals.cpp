@@ -1,8 +1,5 @@
 #include "mesh/normals.h"
 
-#include <doctest/doctest.h>
-
-#include "mesh/triangulation.h"
 #include "support/shapes.h"
 
 using namespace viete;

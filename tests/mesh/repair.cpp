@@ -1,7 +1,5 @@
 #include "mesh/repair.h"
 
-#include <doctest/doctest.h>
-
 #include "mesh/summary.h"
 #include "support/shapes.h"
 

@@ -1,9 +1,5 @@
 #include "mesh/summary.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "support/shapes.h"
 
 using namespace viete;

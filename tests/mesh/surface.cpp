@@ -1,11 +1,5 @@
 #include "mesh/surface.h"
 
-#include <doctest/doctest.h>
-
-#include <random>
-
-#include "mesh/triangulation.h"
-#include "mesh/vector.h"
 #include "support/shapes.h"
 
 using namespace viete;

@@ -1,11 +1,5 @@
 #include "mesh/triangle.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "support/shapes.h"
 
 using namespace viete;

@@ -1,11 +1,5 @@
 #include "mesh/triangle_tree.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <map>
-
-#include "mesh/triangle.h"
 #include "mesh/winding_number.h"
 #include "support/shapes.h"
 

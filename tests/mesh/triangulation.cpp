@@ -1,11 +1,6 @@
 #include "mesh/triangulation.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <map>
 #include <numbers>
-#include <random>
 
 #include "mesh/summary.h"
 #include "support/shapes.h"

@@ -1,10 +1,7 @@
 #include "mesh/vertex_order.h"
 
-#include <doctest/doctest.h>
-
 #include <numeric>
 
-#include "mesh/triangulation.h"
 #include "support/shapes.h"
 
 using namespace viete::mesh;

@@ -1,7 +1,5 @@
 #include "mesh/winding_number.h"
 
-#include <doctest/doctest.h>
-
 #include "support/shapes.h"
 
 using namespace viete;

@@ -3,8 +3,6 @@
 #include <doctest/doctest.h>
 #include <imgui.h>
 
-#include <string>
-
 using viete::platform::InputEvent;
 using viete::platform::InputQueue;
 

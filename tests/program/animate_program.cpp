@@ -2,11 +2,7 @@
 #include <set>
 
 #include "base/numbered_files.h"
-#include "files/open.h"
-#include "files/session.h"
-#include "formats/point_cache.h"
 #include "formats/read.h"
-#include "formats/write.h"
 #include "program/command_line.h"
 #include "support/animated_cube.h"
 #include "support/pictures.h"

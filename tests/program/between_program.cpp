@@ -1,14 +1,10 @@
 // viete between, viete mix and viete pose: these commands interpolate, mix and pose shapes.
-#include <cmath>
 
 #include "base/numbered_files.h"
-#include "document/pose_edit.h"
 #include "formats/morph_keys.h"
-#include "formats/point_cache.h"
 #include "formats/read.h"
 #include "program/command_line.h"
 #include "support/files.h"
-#include "support/open.h"
 #include "support/pictures.h"
 #include "support/posed_cube.h"
 #include "workspace/command.h"

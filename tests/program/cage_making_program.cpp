@@ -1,13 +1,10 @@
 // Makes a cage in the window: button, sliders, undo, posing and saving.
 #include "document/edit.h"
-#include "formats/read.h"
 #include "formats/write.h"
-#include "interact/cursor_projection.h"
 #include "mesh/winding_number.h"
 #include "program/driver.h"
 #include "support/ball.h"
 #include "support/edits.h"
-#include "support/folder.h"
 #include "support/text.h"
 #include "workspace/saving.h"
 

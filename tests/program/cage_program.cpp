@@ -1,9 +1,7 @@
 // viete cage: makes cages. Other commands must accept these cages.
-#include <utility>
 
 #include "formats/read.h"
 #include "formats/write.h"
-#include "mesh/summary.h"
 #include "program/command_line.h"
 #include "support/cube.h"
 

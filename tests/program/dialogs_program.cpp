@@ -1,6 +1,5 @@
 // Dialogs get all keys and mouse buttons while they are open.
 #include "document/edit.h"
-#include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "program/small_scene.h"
 #include "ui/widgets.h"

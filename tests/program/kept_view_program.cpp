@@ -1,11 +1,9 @@
 // Tests the cached view. The program must draw the view again when the content of the view changes.
-#include <random>
 
 #include "interact/cursor_projection.h"
 #include "program/small_scene.h"
 #include "support/commands.h"
 #include "support/pictures.h"
-#include "support/skip.h"
 
 using namespace viete;
 using test::Driver, test::small_options, test::SmallScene;

@@ -1,5 +1,4 @@
 // The keys of all keymaps, the list of keys, and help about keys and mouse.
-#include <algorithm>
 
 #include "program/driver.h"
 #include "support/text.h"

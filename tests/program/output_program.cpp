@@ -1,9 +1,5 @@
-#include <map>
-#include <vector>
-
 #include "formats/write.h"
 #include "program/command_line.h"
-#include "render/image.h"
 #include "support/cube.h"
 #include "support/pictures.h"
 

@@ -1,7 +1,6 @@
 // No widget of a panel may be outside the window or cover another widget, at the scales 1 and 2.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
-#include "files/open.h"
 #include "program/open_cage.h"
 #include "support/folder.h"
 #include "support/pictures.h"

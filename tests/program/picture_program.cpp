@@ -3,15 +3,10 @@
 // each version of ImGui places text differently. Pictures of panels are references of version 1.86; with
 // other versions, the mean colours of cells are compared. If VIETE_UPDATE_PICTURES is set, writes the
 // pictures as new references: review these before committing.
-#include <cstdlib>
-#include <functional>
 
 #include "document/pose_edit.h"
 #include "document/probes.h"
-#include "formats/write.h"
-#include "mesh/triangulation.h"
 #include "program/open_cage.h"
-#include "render/image.h"
 #include "support/commands.h"
 #include "support/folder.h"
 #include "support/pictures.h"

@@ -1,11 +1,9 @@
 // Probes with simulated events, with and without a cage.
-#include <numbers>
 
 #include "document/pose_edit.h"
 #include "document/probes.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
-#include "workspace/pointer.h"
 #include "workspace/saving.h"
 
 using namespace viete;

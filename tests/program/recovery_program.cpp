@@ -1,8 +1,6 @@
 // Ends the program by kill -9 and in other ways. Unsaved edits must survive.
-#include <random>
 
 #include "program/kept_work.h"
-#include "support/skip.h"
 #include "workspace/saving.h"
 
 using namespace viete;

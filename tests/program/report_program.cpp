@@ -1,5 +1,4 @@
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "formats/write.h"
 #include "program/command_line.h"

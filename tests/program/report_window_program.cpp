@@ -1,6 +1,3 @@
-#include <cstdlib>
-#include <filesystem>
-
 #include "program/driver.h"
 #include "support/folder.h"
 

@@ -1,6 +1,4 @@
 // Shapes and pins, with simulated events: import, sliders, posing by a pin, export, and shapes in a cage.
-#include <algorithm>
-#include <cmath>
 
 #include "document/probes.h"
 #include "formats/read.h"

@@ -1,12 +1,8 @@
 // Widgets, dialogs and notices with simulated events. Esc cancels active widgets and closes popups.
 #include <imgui_internal.h>
 
-#include <functional>
-#include <set>
 #include <tuple>
 
-#include "document/edit.h"
-#include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "program/driver.h"
 #include "support/folder.h"

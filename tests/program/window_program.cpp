@@ -1,14 +1,11 @@
 // Compares a window on a virtual display with the offscreen program, with mouse and keyboard.
 #include <sstream>
 
-#include "files/session.h"
 #include "formats/write.h"
 #include "program/desktop.h"
 #include "program/driver.h"
 #include "support/ball.h"
-#include "support/folder.h"
 #include "support/pictures.h"
-#include "workspace/pointer.h"
 #include "workspace/saving.h"
 
 using namespace viete;

@@ -1,5 +1,3 @@
-#include <doctest/doctest.h>
-
 #include "render/backdrop.h"
 #include "render/surface_layer.h"
 #include "support/stage.h"

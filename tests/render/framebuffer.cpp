@@ -1,6 +1,5 @@
 #include "render/framebuffer.h"
 
-#include "base/error.h"
 #include "support/stage.h"
 
 using namespace viete;

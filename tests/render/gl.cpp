@@ -1,11 +1,4 @@
-#include <doctest/doctest.h>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "base/error.h"
 #include "render/gl.h"
-#include "render/program.h"
 #include "render/upload.h"
 #include "support/stage.h"
 

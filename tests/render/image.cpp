@@ -1,9 +1,5 @@
 #include "render/image.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "base/error.h"
 #include "support/folder.h"
 #include "support/pictures.h"

@@ -1,6 +1,5 @@
 #include "render/mark_layers.h"
 
-#include "base/error.h"
 #include "render/surface_layer.h"
 #include "support/stage.h"
 

@@ -1,8 +1,5 @@
-#include <doctest/doctest.h>
-#include <algorithm>
 #include <limits>
 
-#include "base/error.h"
 #include "render/backdrop.h"
 #include "render/shadow_layer.h"
 #include "support/stage.h"

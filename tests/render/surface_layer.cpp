@@ -1,10 +1,7 @@
 #include "render/surface_layer.h"
 
-#include <algorithm>
 #include <limits>
 
-#include "base/error.h"
-#include "render/view.h"
 #include "support/pictures.h"
 #include "support/stage.h"
 

@@ -1,5 +1,4 @@
 #include <doctest/doctest.h>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/view.h"

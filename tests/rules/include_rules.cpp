@@ -1,13 +1,7 @@
 // The table of rooms must allow every #include in src.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <map>
-#include <regex>
-#include <set>
-#include <sstream>
 
 #include "rules/room_table.h"
 #include "support/data.h"

@@ -1,15 +1,8 @@
 // The README must be short. Its sentences must be short.
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
-#include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "rules/room_table.h"
 #include "support/data.h"

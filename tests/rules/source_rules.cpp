@@ -1,10 +1,8 @@
 // Source text must be ASCII. The first line of a header must state its purpose.
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <regex>
-#include <string>
 
 #include "support/data.h"
 

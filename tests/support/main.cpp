@@ -3,9 +3,7 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <string>
 
 #include "support/skip.h"
 

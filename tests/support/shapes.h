@@ -142,6 +142,12 @@ inline formats::ReadResult read_text(const std::string& bytes, const std::string
   return formats::read(formats::Source{"given." + extension, extension, bytes, nullptr});
 }
 
+/// Writes a file and reads it with its original.
+inline formats::ReadResult put_and_read(const std::filesystem::path& file, const std::string& bytes) {
+  put_file(file, bytes);
+  return formats::read(file);
+}
+
 /// Reads a file. The result owns the file's bytes, for written_again().
 inline formats::ReadResult read_kept(const std::string& bytes, const std::string& extension,
                                      const std::filesystem::path& folder = {}) {

@@ -1,8 +1,6 @@
 #include "sym3/affine.h"
 
-#include <algorithm>
 #include <numbers>
-#include <vector>
 
 #include "sym3/general.h"
 #include "sym3/preamble.h"

@@ -1,11 +1,6 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <type_traits>
 
 #include "sym3/arranged.h"
-#include "sym3/double_double.h"
-#include "sym3/fallback.h"
 #include "sym3/jacobi.h"
 #include "sym3/log.h"
 #include "sym3/preamble.h"

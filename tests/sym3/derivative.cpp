@@ -1,17 +1,10 @@
 // Tests the error bounds of derivatives with every kernel. Batches in any layout must equal single calls.
 #include "sym3/derivative.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "sym3/arranged.h"
-#include "sym3/call_kernel.h"
-#include "sym3/exp.h"
-#include "sym3/kernel.h"
 #include "sym3/log.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"

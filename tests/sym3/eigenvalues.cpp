@@ -1,13 +1,8 @@
-#include <doctest/doctest.h>
-#include <algorithm>
 #include <limits>
-#include <vector>
 
 #include "sym3/arranged.h"
-#include "sym3/derivative.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 

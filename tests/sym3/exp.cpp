@@ -1,13 +1,9 @@
-#include <algorithm>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "sym3/arranged.h"
-#include "sym3/call_kernel.h"
 #include "sym3/exp.h"
 #include "sym3/highway_targets.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 

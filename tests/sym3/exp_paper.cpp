@@ -1,8 +1,5 @@
 #include "sym3/exp_paper.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "sym3/arranged.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"

@@ -1,9 +1,7 @@
 #include "sym3/general.h"
 
 #include <functional>
-#include <limits>
 #include <numbers>
-#include <vector>
 
 #include "sym3/affine.h"
 #include "sym3/preamble.h"

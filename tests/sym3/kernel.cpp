@@ -1,11 +1,8 @@
-#include <doctest/doctest.h>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <set>
 
 #include "sym3/arranged.h"
-#include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"

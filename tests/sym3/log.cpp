@@ -1,16 +1,10 @@
 // log, roots and powers of every kernel: error bounds, and equal bits for single matrices and batches.
 #include "sym3/log.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "sym3/arranged.h"
-#include "sym3/call_kernel.h"
-#include "sym3/exp.h"
-#include "sym3/fallback.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 #include "sym3/with_condition.h"

@@ -1,10 +1,8 @@
 #include "sym3/polar.h"
 
 #include <limits>
-#include <vector>
 
 #include "sym3/arranged.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 

@@ -1,12 +1,9 @@
 #include "sym3/rotation.h"
 
-#include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "sym3/arranged.h"
-#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 

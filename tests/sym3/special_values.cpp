@@ -1,8 +1,5 @@
 // Every function on every combination of zero, infinities, NaN, the smallest and the largest number.
-#include <bit>
-#include <cmath>
 #include <limits>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/derivative.h"
@@ -11,7 +8,6 @@
 #include "sym3/log.h"
 #include "sym3/polar.h"
 #include "sym3/preamble.h"
-#include "sym3/rotation.h"
 
 namespace {
 

@@ -1,6 +1,5 @@
 #include "sym3/translation_log.h"
 
-#include <array>
 #include <numbers>
 
 #include "sym3/preamble.h"

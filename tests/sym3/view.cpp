@@ -1,10 +1,8 @@
 // Results of batches must not depend on layouts, lengths, positions, other items or threads.
 #include "sym3/view.h"
 
-#include <algorithm>
 #include <limits>
 #include <thread>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/preamble.h"

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-
 using namespace viete::ui;
 
 TEST_CASE("fonts_of_the_system_have_the_wanted_characters_and_no_others") {

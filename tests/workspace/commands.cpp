@@ -1,16 +1,11 @@
 #include "workspace/command.h"
 
-#include <doctest/doctest.h>
-
-#include <map>
 #include <set>
 
-#include "document/edit.h"
 #include "support/commands.h"
 #include "support/cube.h"
 #include "support/edits.h"
 #include "workspace/menus.h"
-#include "workspace/workspace.h"
 
 using namespace viete;
 using namespace viete::document;

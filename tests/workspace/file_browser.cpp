@@ -1,9 +1,5 @@
 #include "workspace/file_browser.h"
 
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-
 #include "support/folder.h"
 #include "support/text.h"
 #include "workspace/saving.h"

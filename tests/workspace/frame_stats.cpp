@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <utility>
-
 using namespace viete::workspace;
 using viete::deform::Link;
 

@@ -1,15 +1,7 @@
 #include "workspace/playing.h"
-#include "workspace/workspace.h"
-
-#include <doctest/doctest.h>
-
-#include <functional>
-#include <map>
 
 #include "document/cage_editing.h"
-#include "document/edit.h"
 #include "document/elements.h"
-#include "document/record.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"

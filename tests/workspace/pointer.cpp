@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "document/edit.h"
-#include "interact/picking.h"
 #include "support/cube.h"
 #include "support/edits.h"
 #include "support/mouse.h"

@@ -1,7 +1,5 @@
 #include "workspace/pose_picture.h"
 
-#include <doctest/doctest.h>
-
 #include "support/cube.h"
 #include "support/shapes.h"
 

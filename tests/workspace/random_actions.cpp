@@ -1,20 +1,12 @@
 // Makes random actions. Undo and redo must restore the exact states.
-#include <doctest/doctest.h>
 
 #include <random>
-#include <string>
 
-#include "document/edit.h"
-#include "document/elements.h"
-#include "document/pose_edit.h"
-#include "document/probes.h"
 #include "document/time_edit.h"
-#include "interact/cursor_projection.h"
 #include "support/commands.h"
 #include "support/cube.h"
 #include "support/edits.h"
 #include "support/skip.h"
-#include "workspace/command.h"
 #include "workspace/command_conditions.h"
 #include "workspace/playing.h"
 #include "workspace/pointer.h"

@@ -1,7 +1,5 @@
 #include "workspace/preferences.h"
 
-#include <doctest/doctest.h>
-
 #include "base/error.h"
 #include "support/folder.h"
 

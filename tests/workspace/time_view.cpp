@@ -1,8 +1,6 @@
 #include "workspace/time_view.h"
 #include "workspace/time_gestures.h"
 
-#include <doctest/doctest.h>
-
 #include "document/time_edit.h"
 #include "support/commands.h"
 #include "support/cube.h"

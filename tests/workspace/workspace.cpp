@@ -2,9 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "document/edit.h"
 #include "support/posed_cube.h"
-#include "workspace/messages.h"
 
 using namespace viete;
 using namespace viete::document;
