@@ -1,6 +1,9 @@
 // viete bench: short runs of all benchmarks; checks the files and tables.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "deform/scheme.h"
 #include "formats/write.h"
@@ -14,9 +17,6 @@ TEST_CASE("small_benchmarks_run_and_write_json") {
   const WorkFolder f;
   const std::pair<std::string, std::vector<const char*>> cases[] = {
       {"sym3 --count 2000", {"copy"}},
-      {"accuracy --count 64",
-       {"\n  zero ", "\n  gap ", "\n  spread ", "\n  scale ", "NaN 100\u00a0%", "Direct"}},
-      {"accuracy --count 64 --float", {"\n  zero ", "Pade"}},
       {"frame --vertices 2000", {"one vertex dragged"}},
       {"bind --faces 8 --rounds 1", {"50,000 vertices, 8 cage triangles", "plain loops", ">= 45"}}};
   for (const auto& [words, said] : cases) {
@@ -117,4 +117,30 @@ TEST_CASE("a_build_folder_without_benchmarks_builds_them_on_first_use") {
                     "ran exp --count 7\n",
                 first.text);
   CHECK(run_of(scratch.path(), "report -o x", path).text == "ran report -o x\n");
+}
+
+TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
+  const TemporaryFolder scratch;
+  for (const char* precision : {"", " --float"}) {
+    const fs::path json = scratch.path() / "accuracy.json";
+    const auto outcome = run("bench accuracy --count 64 --json " + quoted(json) + precision);
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+    for (const char* part :
+         {"\n  zero ", "\n  gap ", "\n  spread ", "\n  scale ", "NaN 100\u00a0%", "Pade", "Direct"})
+      CHECK(mentions(outcome, part));
+    const auto tables = nlohmann::json::parse(file_bytes(json))["tables"];
+    REQUIRE(tables.size() == 5);
+    const double u = *precision ? 0x1p-24 : 0x1p-53;
+    for (const auto& table : tables) {
+      for (const auto& row : table["rows"]) {
+        const auto& fast = row["methods"]["Fast"];
+        const double spread =
+            table["by"] == "spread" ? double(row["value"]) : 35;  // other rows have a spread of at most 35
+        CHECK(fast["nan"] == 0);
+        CHECK(fast["worst"] <= (8 + 2.5 * spread) * u);
+      }
+    }
+    CHECK(tables[0]["rows"][6]["methods"]["ISD unguarded"]["nan"] == 1);
+    CHECK(tables[2]["rows"][4]["methods"]["SD"]["worst"] > 1e4 * u);
+  }
 }

@@ -1,9 +1,15 @@
 // The command line: subcommands, outputs, errors and exit codes.
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <vector>
 
 #include "formats/read.h"
 #include "formats/write.h"
+#include "mesh/summary.h"
 #include "program/command_line.h"
 #include "support/ball.h"
+#include "support/cube.h"
 #include "support/far.h"
 #include "support/pictures.h"
 #include "support/posed_cube.h"
@@ -141,6 +147,21 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
     CHECK_FALSE(fs::exists(f / "out.obj"));
     CHECK(mentions(f.viete("info model.obj"), "cannot be deformed"));
   }
+}
+
+TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
+  const WorkFolder f;
+  auto stretched = formats::read(cage).surface;
+  for (auto& p : stretched.positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};
+  formats::write(f / "close.obj", stretched);
+  const auto deform = [&](const fs::path& file, const std::string& method) {
+    return f.done("deform " + in_cage + " --pose " + quoted(file) + " --force -o out.ply --method " + method);
+  };
+  const auto lost = deform("close.obj", "sd");
+  for (const char* part : {"viete: note: ", "method sd has relative errors up to ", "fast"})
+    CHECK_MESSAGE(mentions(lost, part), lost.text);
+  for (const char* method : {"diag", "fast"}) CHECK_FALSE(mentions(deform("close.obj", method), "method"));
+  CHECK_FALSE(mentions(deform(pose, "sd"), "method"));
 }
 
 TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_asked_for") {

@@ -1,9 +1,12 @@
 // Exports deformed models in the background.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
+#include "formats/point_cache.h"
+#include "formats/read.h"
 #include "program/kept_work.h"
 #include "support/commands.h"
 #include "support/pictures.h"
+#include "support/text.h"
 
 using namespace viete;
 using namespace test;
@@ -77,6 +80,23 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
 }
 
+TEST_CASE("an_animation_is_exported_aside") {
+  const test::TemporaryFolder folder;
+  LargeModel d(folder.path(), 6);
+  d.workspace().document.put_frame(1);
+  REQUIRE(test::run_command(d.workspace(), "set_key"));
+  drag_some_vertex(d, {-40, 25});
+  document::set_key(d.document(), 600);
+  const fs::path file = folder / "out.pc2";
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, file);
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  CHECK(d.last_message() == "Saved out.pc2.");
+  const auto& all = d.workspace().messages.all();
+  CHECK(all[all.size() - 2].text.starts_with("out.pc2: 600 frames of "));
+  CHECK_FALSE(all[all.size() - 2].visible);
+  CHECK(formats::PointCache(file).head().frames == 600);
+}
+
 TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") {
   const test::TemporaryFolder folder;
   LargeModel d(folder.path(), 4);
@@ -121,4 +141,10 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(other.height == 120);
   const auto brightness = [](const render::Image& image) { return int{image.rgba[0]}; };
   CHECK(brightness(other) > brightness(first) + 60);
+  test::put_file(folder / "g_02.png", "somebody's");
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, folder / "g_##.png");
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
+  CHECK(test::mentions(d.last_message(), "g_02.png"));
+  CHECK(test::file_bytes(folder / "g_02.png") == "somebody's");
 }

@@ -1,13 +1,18 @@
-// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending and painting.
+// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and painting.
+#include <cmath>
+#include <cstdlib>
 #include <numbers>
 
+#include "deform/scheme.h"
 #include "document/pose_edit.h"
 #include "interact/shaping.h"
 #include "program/driver.h"
 #include "support/edits.h"
+#include "support/folder.h"
 #include "support/grips.h"
 #include "support/pictures.h"
 #include "ui/panels.h"
+#include "workspace/pointer.h"
 
 using namespace viete;
 using test::Driver;
@@ -318,6 +323,42 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
   for (std::uint32_t v = 0; v < d.pose().size(); ++v)
     CHECK_FALSE(interact::is_crowded(d.document(), d.workspace().view.camera, d.workspace().view.viewport,
                                      d.vertex(v)));
+}
+
+TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
+  Hand d(test::with_pixels);
+  const auto selected = [&] { return d.document().selection().size(); };
+  // Counts the pixels that have the colour of selected vertices.
+  const auto amber = [&] {
+    d.move({700, 20});
+    d.frame(2);
+    const render::Image picture = d.picture();
+    int count = 0;
+    for (int y = 0; y < picture.height - 30; ++y) {
+      for (int x = 330; x < picture.width - 330; ++x) {
+        const auto p = picture.pixel(x, y);
+        count += p[0] > 200 && p[1] > 130 && p[1] < 210 && p[2] < 90;
+      }
+    }
+    return count;
+  };
+  CHECK(amber() == 0);
+  d.press_key('B');
+  d.drag({400, 100}, {640, 700});
+  const std::size_t few = selected();
+  CHECK(few > 3);
+  CHECK(few < d.pose().size());
+  CHECK(d.moved().empty());
+  CHECK(amber() > 50);
+  d.click("save_set");
+  d.press_key('A', false, true);
+  CHECK(selected() == 0);
+  d.click("set/0/select");
+  CHECK(selected() == few);
+  d.press_key('H', false, true);
+  CHECK(amber() == 0);
+  d.click("set/0/remove");
+  CHECK(d.document().groups().sets.empty());
 }
 
 TEST_CASE("painted_vertices_stay_when_the_cage_moves") {

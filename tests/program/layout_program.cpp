@@ -1,9 +1,14 @@
 // Uses columns, menus, toasts and the palette by mouse and keys.
+#include <map>
 
 #include "document/record.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "program/kept_work.h"
+#include "support/folder.h"
 #include "support/pictures.h"
 #include "workspace/menus.h"
+#include "workspace/preferences.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -121,6 +126,18 @@ TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   CHECK(is_seen(d, "open_model"));
 }
 
+TEST_CASE("a_menu_runs_a_command") {
+  Driver d;
+  d.open_dragon();
+  CHECK(d.workspace().view.options.grid);
+  d.choose("menu/View", "menu/toggle_grid");
+  CHECK_FALSE(d.workspace().view.options.grid);
+  d.frame(2);
+  CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // the menu is closed again
+  d.choose("menu/Deform", "menu/method_sd");
+  CHECK(d.document().method() == sym3::Method::sd);
+}
+
 TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   const test::TemporaryFolder folder;
   Driver d;
@@ -214,16 +231,25 @@ TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   CHECK_FALSE(d.workspace().panels.palette.open);
 }
 
+TEST_CASE("a_message_moves_no_button") {
+  Driver d;
+  d.open_dragon();
+  d.frame(3);
+  const auto before = *d.viewer().recorder().find("open_model");
+  d.workspace().messages.error("A message that stays");
+  d.frame(3);
+  const auto after = *d.viewer().recorder().find("open_model");
+  CHECK(before.y0 == after.y0);
+  CHECK(is_seen(d, "toast/0"));
+}
+
 TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
   const test::TemporaryFolder folder;
   Driver d;
   d.open_dragon();
-  d.frame(3);
-  const float top = d.viewer().recorder().find("open_model").value().y0;
   CHECK_FALSE(d.open({folder / "none.ply"}));
   d.frame(2);
   CHECK(is_seen(d, "toast/0"));
-  CHECK(d.viewer().recorder().find("open_model").value().y0 == top);  // a message moves no button
   SUBCASE("it is put away") {
     d.click("toast/0/close");
     d.frame(2);

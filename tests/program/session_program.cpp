@@ -1,5 +1,6 @@
 // Sessions must restore equal pictures. Simulated events open and save files.
 #include "formats/read.h"
+#include "formats/write.h"
 #include "program/command_line.h"
 #include "program/kept_work.h"
 #include "support/pictures.h"
@@ -113,6 +114,60 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
   CHECK(said("deform a.viete -o b.ply --model new.ply --cage grid.obj").code == 0);
   CHECK(file_bytes(folder / "b.ply") == file_bytes(folder / "a.ply"));
   CHECK(said("deform a.viete -o new.ply --model new.ply --cage grid.obj").code == 1);
+}
+
+TEST_CASE("a_moved_model_is_located_in_the_window") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  deform::Pose pose;
+  {
+    Driver d;
+    REQUIRE(d.open({small.model, small.cage}));
+    d.settle();
+    drag_some_vertex(d, {30, 20});
+    pose = d.document().pose();
+    REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
+  }
+  fs::rename(small.model, folder / "new.ply");
+  Driver other;
+  CHECK_FALSE(other.open({folder / "a.viete"}));
+  other.frame(2);
+  other.click("question_save");
+  other.frame(2);
+  other.click("file/new.ply");
+  other.click("file_choose");
+  other.settle();
+  CHECK(other.document().model().path == fs::canonical(folder / "new.ply"));
+  CHECK(other.document().pose().positions == pose.positions);
+}
+
+TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  Driver d(remembering(folder / "state"));
+  REQUIRE(d.open({small.model, small.cage}));
+  d.settle();
+  drag_some_vertex(d, {30, 20});
+  CHECK(workspace::has_unsaved_edits(d.workspace()));
+  const auto posed = d.document().pose().positions;
+  d.press_key(workspace::key('S'), true);
+  d.frame(2);
+  REQUIRE(d.workspace().files.browser.open);
+  d.press_key(workspace::Key::enter);
+  d.frame(2);
+  CHECK(fs::exists(folder / "small.viete"));
+  CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
+  d.press_key(workspace::key('R'), true);
+  CHECK(workspace::has_unsaved_edits(d.workspace()));
+
+  d.press_key(workspace::key('O'), true);
+  d.frame(2);
+  d.type("small.v");
+  d.press_key(workspace::Key::enter);
+  d.settle();
+  CHECK_FALSE(d.workspace().files.browser.open);
+  CHECK(d.document().pose().positions == posed);
+  CHECK(d.workspace().files.saved.session.filename() == "small.viete");
 }
 
 TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace") {

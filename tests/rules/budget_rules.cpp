@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The targets are 80,000 lines of src and 42,000 of tests.
-constexpr std::size_t most_lines_of_src = 82'900, most_lines_of_tests = 42'250;
+constexpr std::size_t most_lines_of_src = 82'900, most_lines_of_tests = 42'650;
 constexpr std::size_t most_words_of_readme = 900, most_words_of_manual_and_rooms = 16'150;
 
 std::size_t count_lines(const fs::path& file) {
