@@ -4,21 +4,21 @@
 #include <memory>
 
 #include "base/progress.h"
-#include "deform/binding.h"
 #include "deform/stitching.h"
 #include "document/document.h"
 #include "mesh/drawing.h"
+#include "weights/binding.h"
 
 namespace viete::app {
 
 struct Bound {
   std::shared_ptr<const mesh::Surface> model;
-  std::shared_ptr<const deform::Cage> cage;
-  std::shared_ptr<const deform::Binding> binding;
+  std::shared_ptr<const pose::Cage> cage;
+  std::shared_ptr<const weights::Binding> binding;
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme is bound
-  std::shared_ptr<const deform::Binding> draft{};        ///< binding of the model's draft, or null
+  std::shared_ptr<const weights::Binding> draft{};       ///< binding of the model's draft, or null
 
-  bool stitches(const deform::Scheme& scheme) const { return stitching && stitching->serves(scheme); }
+  bool stitches(const pose::Scheme& scheme) const { return stitching && stitching->serves(scheme); }
   /// True if this is a binding of the document's model to the document's cage, with any weights.
   bool binds(const document::Document& document) const {
     return binding && model == document.model().surface && cage == document.cage();
@@ -28,8 +28,8 @@ struct Bound {
 /// Binds the model for the engines of this scheme and method. Reuses parts of `known` with the same input.
 /// Also binds the draft if there is one. Throws base::Error if memory is insufficient, base::Cancelled if
 /// cancelled. Thread-safe.
-Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress,
+Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const pose::Cage> cage,
+           const pose::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress,
            const std::shared_ptr<const mesh::Draft>& draft = nullptr);
 
 }  // namespace viete::app

@@ -5,7 +5,7 @@
 #include "base/clock.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "deform/binding.h"
+#include "weights/binding.h"
 
 namespace viete::app {
 
@@ -20,7 +20,7 @@ std::string text_of(const cages::Wish& wish) {
 
 }  // namespace
 
-CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, const deform::Scheme& scheme,
+CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, const pose::Scheme& scheme,
                                 sym3::Method method, base::Progress& progress) {
   Made all;
   const bool is_preview = wish.effort == cages::Effort::preview;
@@ -33,7 +33,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
     all.surface = document::generated_surface(std::move(made.surface), "made here");
   }
   if (!is_preview) progress.section(0.7, 0.75);
-  all.cage = std::make_shared<const deform::Cage>(deform::make_cage(*all.surface.surface));
+  all.cage = std::make_shared<const pose::Cage>(pose::make_cage(*all.surface.surface));
   if (is_preview) return all;
   progress.section(0.75, 1);
   all.bound = app::bind(workshop.model, all.cage, scheme, method, {}, progress);

@@ -39,7 +39,7 @@ struct DeformOptions {
 };
 
 // Reads one number per vertex, separated by whitespace.
-deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
+weights::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
   const formats::FileBytes bytes(file, nullptr);
   std::istringstream in{std::string(bytes.view())};
   std::vector<float> shares;

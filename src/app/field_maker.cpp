@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "deform/exact.h"
-#include "deform/example_posing.h"
 #include "deform/vertex_sample.h"
 #include "document/elements.h"
+#include "shapes/example_posing.h"
 
 namespace viete::app {
 
@@ -30,7 +30,7 @@ public:
         deformer_(*frame.bound.model, frame.bound.cage, frame.scheme, frame.method, pool_,
                   deform::ExactDeformer::Weights::kept, frame.mask, &progress) {}
 
-  std::vector<mesh::Point> positions(const deform::Pose& pose, const deform::Probes& probes) {
+  std::vector<mesh::Point> positions(const pose::Pose& pose, const pose::Probes& probes) {
     return deformer_.deform(pose, probes, frame_.shape, &progress_).positions;
   }
 
@@ -57,13 +57,13 @@ struct Influence {
     const double way = small * mesh::bounds(frame.bound.model->positions).diagonal();
     FrameInDouble deformer(frame, progress);
     const auto before = deformer.positions(frame.pose, frame.probes);
-    deform::Pose pose = frame.pose;
-    deform::Probes probes = frame.probes;
+    pose::Pose pose = frame.pose;
+    pose::Probes probes = frame.probes;
     const mesh::Vec3 shift = way / std::sqrt(3.0) * mesh::Vec3{1, 1, 1};
     for (const auto v : vertices) pose.positions[v] = pose.positions[v] + shift;
     if (of_probes)
       for (const auto i : selection.indices()) {
-        deform::ProbePose& moved = probes.all[i].pose;
+        pose::ProbePose& moved = probes.all[i].pose;
         moved.move = moved.move + shift;
       }
     const auto after = deformer.positions(pose, probes);
@@ -79,15 +79,15 @@ private:
 
   std::vector<double> of_pins() const {
     base::WorkerPool pool(1);
-    const deform::ShapeSpace space(*frame.bound.model, pool);
-    deform::ExamplePosing posing(space, {}, pool);
-    std::vector<deform::PosingPin> pins;
+    const shapes::ShapeSpace space(*frame.bound.model, pool);
+    shapes::ExamplePosing posing(space, {}, pool);
+    std::vector<shapes::PosingPin> pins;
     std::vector<std::size_t> moved;
     for (std::uint32_t i = 0; i < frame.probes.all.size(); ++i) {
       const auto& pin = frame.probes.all[i].pin;
       if (!pin) continue;
       if (selection.contains(i)) moved.push_back(pins.size());
-      pins.push_back({pin->vertex, pin->pulls ? deform::usual_pull : deform::holding});
+      pins.push_back({pin->vertex, pin->pulls ? shapes::usual_pull : shapes::holding});
     }
     posing.set_pins(std::move(pins));
     return posing.reach(moved);
@@ -174,12 +174,12 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
   const Field field = s.field;
   const sym3::Method method = s.method;
   if (analysis::entry(field).source == Source::matrices) {
-    const deform::Rows rows = s.model.deformer()->state().rows();
+    const pose::Rows rows = s.model.deformer()->state().rows();
     return view.job.start(
         [=, bound = s.model.bound(), mask = s.model.deformer()->mask(), form = rows.form,
          origin = rows.origin,
          values = std::vector(rows.values.begin(), rows.values.end())](base::Progress& progress) {
-          const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+          const weights::Weigher weigher(*bound.cage, bound.binding->weighting);
           const auto matrices = deform::sample_stretches(
               weigher, *bound.binding, mask, {form, values, origin}, bound.binding->vertices, &progress);
           analysis::FieldInput input = input_of(*strain, method);

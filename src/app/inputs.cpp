@@ -29,8 +29,7 @@ void add_files(CLI::App& app, Inputs& inputs) {
 }
 
 void add_scheme_options(CLI::App& app, document::RequestedSettings& settings) {
-  auto* way =
-      add_choice<deform::Way>(app, "--deformer", "Deformer, see 'viete help deformers'", settings.way);
+  auto* way = add_choice<pose::Way>(app, "--deformer", "Deformer, see 'viete help deformers'", settings.way);
   way->default_str("smooth");
   add_choice_options(app, settings.choice);
   for (const char* other : {"--weights", "--blend"}) way->excludes(app.get_option(other));

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "deform/binding.h"
 #include "document/document.h"
+#include "weights/binding.h"
 
 namespace viete::app {
 
@@ -27,7 +27,7 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
   } catch (const files::SessionFileError& error) {
     loaded.question = workspace::ask_to_locate(error.key, error.problem());
     loaded.request = request;
-  } catch (const deform::FinError& error) {
+  } catch (const pose::FinError& error) {
     loaded.question = workspace::ask_to_remove_fins(error.place() + ": " + error.problem());
     loaded.request = without_fins(request, error.place());
   }

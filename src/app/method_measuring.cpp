@@ -8,7 +8,7 @@
 #include "base/clock.h"
 #include "base/median.h"
 #include "base/worker_pool.h"
-#include "deform/scheme.h"
+#include "pose/scheme.h"
 #include "sym3/exp.h"
 #include "sym3/reference.h"
 
@@ -28,7 +28,7 @@ bool is_in_motion(const workspace::Workspace& w) {
 
 MethodMeasuring::Key MethodMeasuring::key_of(const workspace::Workspace& w, const LiveModel& model) {
   const document::Revisions& now = w.document.revisions();
-  Key key{now.surfaces, now.cage, model.deformer() ? model.deformer()->scheme() : deform::Scheme()};
+  Key key{now.surfaces, now.cage, model.deformer() ? model.deformer()->scheme() : pose::Scheme()};
   key.scheme.amounts = {};
   return key;
 }
@@ -133,7 +133,7 @@ void MethodMeasuring::show_drawn_times(workspace::Workspace& w, const LiveModel&
   if (!frame || (w.frame.method_times.measured && timed_ == model.frames())) return;
   const auto& methods = analysis::compared_methods;
   auto running = static_cast<std::size_t>(std::ranges::find(methods, frame->method) - methods.begin());
-  if (engine_ == deform::EngineKind::fused) running = workspace::MethodTimes::fused;
+  if (engine_ == pose::EngineKind::fused) running = workspace::MethodTimes::fused;
   w.frame.method_times.links[running] = frame->links;
   w.frame.method_times.busy = frame->busy;
 }
@@ -159,9 +159,9 @@ constexpr std::size_t timed_rounds = 5, busy_rounds = 15;  // the second if the 
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_small_weights(const FrameInput& timed) {
-  const deform::Binding& binding = *timed.bound.binding;
+  const weights::Binding& binding = *timed.bound.binding;
   return binding.weights.empty() &&
-         deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged &&
+         pose::engine_for(timed.scheme, sym3::Method::diag) == pose::EngineKind::staged &&
          8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
              most_weight_bytes;
 }
@@ -203,7 +203,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
       const sym3::Method method = fused ? sym3::Method::fast : compared_methods[i];
       deformer.set_all_staged(!fused);
       const auto engine = deformer.engine(method);
-      if (!engine || fused != (engine == deform::EngineKind::fused)) continue;
+      if (!engine || fused != (engine == pose::EngineKind::fused)) continue;
       const auto cost = pool.cost();
       deformer.deform(timed.pose, method);
       if (round > 0) frames[i].push_back({.links = deformer.times(), .cost = pool.cost() - cost});

@@ -16,7 +16,7 @@ namespace viete::app {
 struct MethodTimings {
   workspace::MethodTimes times;
   /// The timed binding. If weights of the staged engine need at most 256 MiB, time_methods() adds them.
-  std::shared_ptr<const deform::Binding> binding;
+  std::shared_ptr<const weights::Binding> binding;
 };
 
 /// Measures the time of whole frames with each method. Returns median times. Throws base::Error if memory is
@@ -55,7 +55,7 @@ private:
   // If one of these members changes, measurements are discarded.
   struct Key {
     document::Revision surfaces = 0, cage = 0;
-    deform::Scheme scheme;
+    pose::Scheme scheme;
     friend bool operator==(const Key&, const Key&) = default;
   };
   static Key key_of(const workspace::Workspace& workspace, const LiveModel& model);
@@ -72,7 +72,7 @@ private:
   base::BackgroundJob<workspace::MethodStats> sampler_;
   base::BackgroundJob<MethodTimings> timer_;
   Key key_;
-  std::optional<deform::EngineKind> engine_;
+  std::optional<pose::EngineKind> engine_;
   unsigned long sampled_ = 0;  // number of the last frame sampled by start_sampling()
   double sampled_at_ = -1;     // when sampler_ was last started or gave a result, in wall seconds
   unsigned long timed_ = 0;    // number of the frame whose pose was last timed

@@ -85,7 +85,7 @@ std::vector<std::string> write_mix(MixOptions options) {
   std::vector<std::string> notes;
   TerminalProgress work(options.output.task());
   base::WorkerPool pool;
-  const deform::ShapeSpace space(*what.model, pool, &work.progress());
+  const shapes::ShapeSpace space(*what.model, pool, &work.progress());
   what.shape = document::mixed(space, terms, options.linear, pool, &notes);
   for (auto& note : write_shape(what, "the mix", &work.progress())) notes.push_back(std::move(note));
   return notes;

@@ -219,7 +219,7 @@ void ModelLayer::set_rest(const document::Document& document, const ModelShading
                         mesh::picked(std::span(shading.normals), draft_->vertices));
 }
 
-void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
+void ModelLayer::set_model(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
   surface_.set_vertices(vertices, origin);
   if (draft_) return set_draft(mesh::picked(vertices, draft_->vertices), origin);
   shadow_.set_vertices(vertices, origin);

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "analysis/field.h"
-#include "deform/binding.h"
-#include "deform/rows.h"
 #include "formats/attributes.h"
 #include "mesh/drawing.h"
 #include "mesh/surface.h"
+#include "pose/rows.h"
 #include "render/mark_layers.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
+#include "weights/binding.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {
@@ -57,9 +57,9 @@ public:
   void set_document(const document::Document& document, const ModelShading& shading);
   void set_rest(const document::Document& document, const ModelShading& shading);
   /// Sets the deformed vertices, relative to origin.
-  void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
+  void set_model(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin);
   /// Sets the deformed vertices of the draft. There must be a draft.
-  void set_draft(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
+  void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
     coarse_.set_vertices(vertices, origin), shadow_.set_vertices(vertices, origin);
   }
   /// If the mask is shown, colours the mesh by the mask. Otherwise, colours the mesh by the field if `shown`
@@ -88,7 +88,7 @@ private:
   // The input of the current colours.
   struct Colored {
     bool by_mask = false, dark = false;
-    deform::Mask mask;
+    weights::Mask mask;
     std::shared_ptr<const std::vector<float>> field;
     bool symmetric = false;
     friend bool operator==(const Colored&, const Colored&) = default;

@@ -72,8 +72,8 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "linear")
       view.other_blending = (word == "linear") != w.document.timeline().linear;
-    if (const auto way = base::value_of_word<deform::Way>(word))
-      view.scheme = deform::scheme_of(*way, w.document.scheme());
+    if (const auto way = base::value_of_word<pose::Way>(word))
+      view.scheme = pose::scheme_of(*way, w.document.scheme());
     views.push_back(std::move(view));
   }
   if (views[0].other_blending) {
@@ -170,7 +170,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   auto* map = command.add_option("--map", options.map, "Colour map, see 'viete help deformers'");
   one_of(map, maps)->default_str("none");
   std::vector<std::string> compared;
-  for (const base::Choice& way : choices(deform::Way{})) compared.emplace_back(way.word);
+  for (const base::Choice& way : choices(pose::Way{})) compared.emplace_back(way.word);
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "linear"});
   auto* compare = command.add_option("--compare", options.compare,

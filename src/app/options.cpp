@@ -9,8 +9,8 @@
 
 #include "analysis/field.h"
 #include "base/text.h"
-#include "deform/probe.h"
 #include "document/range.h"
+#include "pose/probe.h"
 #include "workspace/frame_stats.h"
 
 namespace viete::app {
@@ -89,10 +89,10 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   one_of(option, words)->default_str("fast");
 }
 
-void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
-  add_choice<deform::Weights>(app, "--weights", "Weights, see 'viete help deformers'", choice.weights);
-  add_choice<deform::Blend>(app, "--blend", "Blend of transformations, see 'viete help deformers'",
-                            choice.blend);
+void add_choice_options(CLI::App& app, pose::PartialChoice& choice) {
+  add_choice<pose::Weights>(app, "--weights", "Weights, see 'viete help deformers'", choice.weights);
+  add_choice<pose::Blend>(app, "--blend", "Blend of transformations, see 'viete help deformers'",
+                          choice.blend);
 }
 
 std::string deformers_help() {
@@ -102,10 +102,10 @@ std::string deformers_help() {
     for (const base::Choice& value : values)
       text += help_line(std::string(value.word), std::string(value.hint));
   };
-  list("Deformers (--deformer)", choices(deform::Way{}));
-  list("Weights (--weights)", choices(deform::Weights{}));
-  list("Blends (--blend)", choices(deform::Blend{}));
-  list("Falloffs of probes", choices(deform::Falloff{}));
+  list("Deformers (--deformer)", choices(pose::Way{}));
+  list("Weights (--weights)", choices(pose::Weights{}));
+  list("Blends (--blend)", choices(pose::Blend{}));
+  list("Falloffs of probes", choices(pose::Falloff{}));
   text += "\nMethods (--method):\n";
   for (const sym3::Method method : analysis::compared_methods)
     text += help_line(std::string(sym3::name(method)),
@@ -114,8 +114,8 @@ std::string deformers_help() {
   return text + "\nThe manual explains all terms: viete manual glossary";
 }
 
-void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked) {
-  const deform::NumberEntry& number = deform::number(name);
+void add_number_option(CLI::App& app, std::string_view name, pose::AskedScheme& asked) {
+  const pose::NumberEntry& number = pose::number(name);
   const auto take = [&](double percent) { asked.*number.asked = percent / 100; };
   auto* option = app.add_option_function<double>("--" + std::string(name), take, std::string(number.hint));
   in_range(option, 100 * number.least, 100 * number.largest)
@@ -123,11 +123,11 @@ void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme
       ->default_str(number_text(number.percent({})));
 }
 
-void add_arap_options(CLI::App& app, deform::AskedScheme& asked) {
+void add_arap_options(CLI::App& app, pose::AskedScheme& asked) {
   app.add_flag("--arap", asked.arap, "Solve for a mesh that is as rigid as possible (ARAP)");
   auto* number = app.add_option_function<int>(
       "--iterations", [&asked](int n) { asked.iterations = n; }, "ARAP: number of solves per frame");
-  whole_in_range(number, 1, deform::most_iterations)->default_str("1");
+  whole_in_range(number, 1, pose::most_iterations)->default_str("1");
   add_number_option(app, "attach", asked);
   add_number_option(app, "hold", asked);
 }

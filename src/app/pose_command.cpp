@@ -14,9 +14,9 @@
 #include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "deform/example_posing.h"
 #include "files/export.h"
 #include "formats/format_table.h"
+#include "shapes/example_posing.h"
 
 namespace viete::app {
 
@@ -35,7 +35,7 @@ struct PoseOptions {
   Output output;
   std::vector<std::filesystem::path> examples;
   std::vector<Pin> pins;
-  deform::PosingSettings settings;
+  shapes::PosingSettings settings;
 };
 
 // Parses text such as "1234=0.1,2,-3".
@@ -94,17 +94,17 @@ Posed posed(const PoseOptions& options, const mesh::Surface& model,
             std::span<const document::NamedShape> examples, base::Progress& progress) {
   base::WorkerPool pool;
   progress.section(0, 0.3);
-  const deform::ShapeSpace space(model, pool, &progress);
+  const shapes::ShapeSpace space(model, pool, &progress);
   progress.section(0.3, 1);
-  std::vector<deform::LogVector> vectors;
-  std::vector<const deform::LogVector*> pointers;
+  std::vector<shapes::LogVector> vectors;
+  std::vector<const shapes::LogVector*> pointers;
   vectors.reserve(examples.size());
   for (const auto& example : examples) {
     pointers.push_back(&vectors.emplace_back(space.vector(*example.shape, pool)));
     progress.report(0.5 * static_cast<double>(vectors.size()) / static_cast<double>(examples.size()));
   }
-  deform::ExamplePosing posing(space, std::move(pointers), pool);
-  std::vector<deform::PosingPin> pins;
+  shapes::ExamplePosing posing(space, std::move(pointers), pool);
+  std::vector<shapes::PosingPin> pins;
   std::vector<mesh::Point> targets;
   for (const Pin& pin : options.pins) {
     pins.push_back({pin.vertex, pin.holds ? std::numeric_limits<double>::infinity() : 1.0});

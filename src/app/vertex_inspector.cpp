@@ -78,7 +78,7 @@ bool VertexInspector::follow(workspace::Workspace& w, const LiveModel& model) {
   w.view.vertex.vertex = vertex;
   if (!model.ran() || !w.document.has_cage()) return true;
   const Bound& bound = model.bound();
-  const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+  const weights::Weigher weigher(*bound.cage, bound.binding->weighting);
   const deform::VertexSum sum =
       deform::vertex_sum(weigher, *bound.binding, deformer->mask(), deformer->state().rows(), *vertex);
   w.view.vertex = view_of(*vertex, sum);

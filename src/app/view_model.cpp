@@ -6,18 +6,18 @@
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "deform/bind.h"
-#include "deform/binding.h"
-#include "deform/cage.h"
-#include "deform/maps.h"
 #include "document/checks.h"
 #include "document/document.h"
 #include "document/edit.h"
 #include "mesh/normals.h"
+#include "pose/cage.h"
+#include "pose/maps.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
 #include "sym3/reference.h"
 #include "sym3/small_matrices.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
 #include "workspace/playing.h"
 
 namespace viete::app {
@@ -54,7 +54,7 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_
       document.is_movable())
     start_binding(document);
   // If only the blend has changed, the weights stay valid.
-  const deform::Scheme scheme = scheme_of(document);
+  const pose::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
   // If the staged engine's weights, the stitching or the draft are missing, starts to compute the missing
   // data. Until then, the method is `fast`, without stitching.
@@ -67,19 +67,19 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_
 }
 
 // The document's cage, or the substitute if the document has no cage.
-std::shared_ptr<const deform::Cage> LiveModel::cage_of(const document::Document& document) {
+std::shared_ptr<const pose::Cage> LiveModel::cage_of(const document::Document& document) {
   if (document.has_cage()) return document.cage();
-  if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model().bounds));
+  if (!no_cage_) no_cage_ = std::make_shared<const pose::Cage>(pose::no_cage(document.model().bounds));
   return no_cage_;
 }
 
-deform::Scheme LiveModel::scheme_of(const document::Document& document) {
-  return document.has_cage() ? document.scheme() : deform::no_motion();
+pose::Scheme LiveModel::scheme_of(const document::Document& document) {
+  return document.has_cage() ? document.scheme() : pose::no_motion();
 }
 
-void LiveModel::follow_blend(const deform::Scheme& scheme) {
+void LiveModel::follow_blend(const pose::Scheme& scheme) {
   if (deformer_->scheme() == scheme) return;
-  deform::Scheme bound = deformer_->scheme();
+  pose::Scheme bound = deformer_->scheme();
   bound.amounts = scheme.amounts;
   if (bound != scheme) return renew_deformer(scheme);
   deformer_->set_amounts(scheme.amounts);
@@ -127,11 +127,11 @@ void LiveModel::install(workspace::Workspace& w, Bound bound) {
   renew_deformer(scheme_of(w.document));
 }
 
-void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
+void LiveModel::share(const std::shared_ptr<const weights::Binding>& binding) {
   if (bound_.binding && bound_.binding->tiles == binding->tiles) bound_.binding = binding;
 }
 
-void LiveModel::renew_deformer(const deform::Scheme& scheme) {
+void LiveModel::renew_deformer(const pose::Scheme& scheme) {
   make_deformer(scheme, pool_);
   draft_ =
       bound_.draft ? std::make_unique<deform::Deformer>(bound_.cage, bound_.draft, scheme, pool_) : nullptr;
@@ -145,7 +145,7 @@ void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, wo
   document::Document& document = w.document;
   if (!deformer_) given_up_ = document.revisions().pose;  // binds again after the next change of the pose
   if (deformer_ && document.has_cage()) {
-    deform::Scheme served = deformer_->scheme();
+    pose::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;
     document::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // prevents another binding
@@ -207,23 +207,23 @@ bool LiveModel::deform_draft(workspace::Workspace& w, workspace::FrameTimes& tim
 void LiveModel::take_carried(document::Document& document) {
   std::vector<document::Carried> carried;
   for (const mesh::Point& place : deformer_->probes().places()) {
-    const deform::Probe& probe = document.probes().all[carried.size()];
+    const pose::Probe& probe = document.probes().all[carried.size()];
     carried.push_back(probe.pin ? carried_pin(document, probe) : document::Carried{place});
   }
   document.put_carried(std::move(carried));
 }
 
 // Transforms the pin's target from the shape to the drawn model, with the matrix of map_at().
-document::Carried LiveModel::carried_pin(const document::Document& document, const deform::Probe& probe) {
+document::Carried LiveModel::carried_pin(const document::Document& document, const pose::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
   const mesh::Surface& surface = *document.model().surface;
   if (around_.starts.empty()) around_ = mesh::vertex_triangles(surface.positions.size(), surface.triangles);
   document::Carried carried;
-  const auto is_pin = [](const deform::Probe& p) { return p.pin.has_value(); };
+  const auto is_pin = [](const pose::Probe& p) { return p.pin.has_value(); };
   if (document.has_cage() || !std::ranges::all_of(document.probes().all, is_pin))
     carried.map = map_at(document, v);  // a cage or a probe deforms the shape
   const mesh::Vec3 off = probe.place - document::shape_of_vertex(document, v);
-  carried.place = vertex(document, v) + deform::times(carried.map, off);
+  carried.place = vertex(document, v) + pose::times(carried.map, off);
   return carried;
 }
 
@@ -237,10 +237,10 @@ sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::ui
       const std::uint32_t corner = document.model().surface->triangles[t][k];
       shape[k] = document::shape_of_vertex(document, corner), drawn[k] = vertex(document, corner);
     }
-    const deform::RestBasis from = deform::rest_basis(shape, {0, 1, 2});
-    const auto to = deform::triangle_basis(drawn, {0, 1, 2}, from.corner);
+    const pose::RestBasis from = pose::rest_basis(shape, {0, 1, 2});
+    const auto to = pose::triangle_basis(drawn, {0, 1, 2}, from.corner);
     const double share = mesh::norm(mesh::cross(from.u, from.v));
-    sum = sym3::plus(sum, share, deform::linear_map(from, to.u, to.v, to.n)), area += share;
+    sum = sym3::plus(sum, share, pose::linear_map(from, to.u, to.v, to.n)), area += share;
   }
   return area > 0 ? away_from_flat(sym3::times(1 / area, sum)) : document::Carried{}.map;
 }
@@ -265,7 +265,7 @@ document::SharedPose other_pose(workspace::Workspace& w) {
 }  // namespace
 
 SideModel::Made SideModel::made_of(const workspace::SplitView& side, const workspace::Workspace& w) {
-  const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method};
+  const Need need{w.document.has_cage() ? side.scheme : pose::no_motion(), side.method};
   return {need, w.document.revisions().pose, w.document.mask(), side.other_blending};
 }
 
@@ -325,7 +325,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   const auto& drag = w.view.interaction.drag;
   drag_.before(*deformer_, drag);
   const document::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
-  const deform::Pose& pose = other ? other->cage : w.document.pose();
+  const pose::Pose& pose = other ? other->cage : w.document.pose();
   base::Stopwatch watch;
   const auto cost = pool.cost();
   run(w.document, pose, other ? other->shape : w.document.shape(), side.method);

@@ -11,9 +11,9 @@
 #include "base/background.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
-#include "deform/probe.h"
 #include "document/document.h"
 #include "mesh/adjacency.h"
+#include "pose/probe.h"
 #include "sym3/rotation.h"
 #include "workspace/workspace.h"
 
@@ -54,12 +54,12 @@ private:
 /// A copy of a frame's input, for background work.
 struct FrameInput {
   Bound bound;
-  deform::Scheme scheme;
+  pose::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
-  deform::Pose pose;
-  deform::Mask mask;
-  deform::Probes probes;
-  deform::SharedShape shape;
+  pose::Pose pose;
+  weights::Mask mask;
+  pose::Probes probes;
+  weights::SharedShape shape;
 };
 
 /// The deformer of one view, with its binding. Not thread-safe.
@@ -78,7 +78,7 @@ public:
     return {bound_,
             deformer_->scheme(),
             method,
-            document.has_cage() ? document.pose() : deform::rest_pose(*bound_.cage),
+            document.has_cage() ? document.pose() : pose::rest_pose(*bound_.cage),
             deformer_->mask(),
             document.probes(),
             document.shape()};
@@ -91,12 +91,12 @@ public:
 protected:
   // The input of a binding.
   struct Need {
-    deform::Scheme scheme;
+    pose::Scheme scheme;
     sym3::Method method = sym3::Method::fast;
     friend bool operator==(const Need&, const Need&) = default;
   };
   void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
-                std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "",
+                std::shared_ptr<const pose::Cage> cage, const Bound& known, std::string name = "",
                 std::shared_ptr<const mesh::Draft> draft = nullptr) {
     binder_.start(
         [=](base::Progress& progress) {
@@ -104,17 +104,17 @@ protected:
         },
         std::move(name));
   }
-  void make_deformer(const deform::Scheme& scheme, base::WorkerPool& pool) {
+  void make_deformer(const pose::Scheme& scheme, base::WorkerPool& pool) {
     deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool,
                                                    bound_.stitches(scheme) ? bound_.stitching : nullptr);
     drag_ = {};
   }
-  void run(const document::Document& document, const deform::Pose& pose, const deform::SharedShape& shape,
+  void run(const document::Document& document, const pose::Pose& pose, const weights::SharedShape& shape,
            sym3::Method method) {
     if (deformer_->mask() != document.mask()) deformer_->set_mask(document.mask());
     deformer_->set_probes(document.probes());
     deformer_->set_shape(shape);
-    deformer_->deform(document.has_cage() ? pose : deform::rest_pose(*bound_.cage), method);
+    deformer_->deform(document.has_cage() ? pose : pose::rest_pose(*bound_.cage), method);
     ++frames_;
     news_ = true;
   }
@@ -172,7 +172,7 @@ public:
   bool prepared() const { return prepared_; }
 
   /// If `binding` is the current binding plus weights for the staged engine, later deformers use `binding`.
-  void share(const std::shared_ptr<const deform::Binding>& binding);
+  void share(const std::shared_ptr<const weights::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }
   /// The position of a vertex of the drawn model, in the file's units.
@@ -183,23 +183,23 @@ private:
   void start_binding(const document::Document& document);
   void take_binding(workspace::Workspace& workspace, bool wait);
   void install(workspace::Workspace& workspace, Bound bound);
-  std::shared_ptr<const deform::Cage> cage_of(const document::Document& document);
+  std::shared_ptr<const pose::Cage> cage_of(const document::Document& document);
   std::shared_ptr<const mesh::Draft> draft_of(const document::Document& document);
-  static deform::Scheme scheme_of(const document::Document& document);
+  static pose::Scheme scheme_of(const document::Document& document);
   void take_carried(document::Document& document);
-  document::Carried carried_pin(const document::Document& document, const deform::Probe& probe);
+  document::Carried carried_pin(const document::Document& document, const pose::Probe& probe);
   sym3::Mat3<double> map_at(const document::Document& document, std::uint32_t vertex) const;
-  void follow_blend(const deform::Scheme& scheme);
-  void renew_deformer(const deform::Scheme& scheme);
+  void follow_blend(const pose::Scheme& scheme);
+  void renew_deformer(const pose::Scheme& scheme);
   bool deforms(const document::Document& document) const;
 
   base::WorkerPool pool_;
   std::shared_ptr<const mesh::Draft> model_draft_;  // the draft of the document's model, or null
-  std::shared_ptr<const deform::Cage> no_cage_;     // substitute for a missing cage; null until needed
+  std::shared_ptr<const pose::Cage> no_cage_;       // substitute for a missing cage; null until needed
   document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;  // revisions of the last follow()
   struct Derived {
     document::Revision pose, method;
-    deform::Mask mask;
+    weights::Mask mask;
     friend bool operator==(const Derived&, const Derived&) = default;
   };
   static Derived derived_of(const document::Document& document) {
@@ -209,7 +209,7 @@ private:
   std::optional<Derived> derived_, drafted_;
   std::unique_ptr<deform::Deformer> draft_;  // null without a draft
   bool draft_news_ = false;
-  std::shared_ptr<const deform::Binding> undrafted_;  // binding whose draft was given up
+  std::shared_ptr<const weights::Binding> undrafted_;  // binding whose draft was given up
   mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs them
   std::optional<document::Revision> given_up_;  // revision of the pose when the first binding was cancelled
   bool unprepared_ = false, prepared_ = false;
@@ -233,7 +233,7 @@ private:
   struct Made {
     Need need;
     document::Revision pose = 0;
-    deform::Mask mask;
+    weights::Mask mask;
     bool other_blending = false;
     friend bool operator==(const Made&, const Made&) = default;
   };

@@ -141,7 +141,7 @@ void WorkspaceRenderer::set_rest(const document::Document& document, const Model
   ++content_;
 }
 
-void WorkspaceRenderer::set_model(std::size_t view, std::span<const deform::FrameVertex> vertices,
+void WorkspaceRenderer::set_model(std::size_t view, std::span<const pose::FrameVertex> vertices,
                                   const mesh::Point& origin) {
   models_[view]->set_model(vertices, origin);
   ++content_;
@@ -307,7 +307,7 @@ void add_outline(const std::vector<std::uint32_t>& corners, std::vector<render::
     segments.push_back({corners[i], corners[(i + 1) % n]});
 }
 
-std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const document::Selection& selection) {
+std::vector<std::uint8_t> marks_of(const pose::Cage& cage, const document::Selection& selection) {
   std::vector<std::uint8_t> marked(document::element_count(cage, selection.kind()), 0);
   for (const auto i : selection.indices()) marked[i] = 1;
   return marked;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/model_layer.h"
-#include "deform/rows.h"
+#include "pose/rows.h"
 #include "render/backdrop.h"
 #include "render/framebuffer.h"
 #include "render/mark_layers.h"
@@ -106,9 +106,9 @@ public:
   /// Sets the number of views. The models of new views are at rest.
   void set_views(std::size_t count, const document::Document& document, const ModelShading& shading);
   /// Sets the deformed model of a view, relative to origin.
-  void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
+  void set_model(std::size_t view, std::span<const pose::FrameVertex> vertices, const mesh::Point& origin);
   /// Sets the deformed draft of the first view's model, relative to origin.
-  void set_draft(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
+  void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
     models_[0]->set_draft(vertices, origin), ++content_;
   }
   /// Updates the colours of the map or mask. Call before draw().

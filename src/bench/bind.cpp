@@ -11,30 +11,30 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "bench/table.h"
-#include "deform/bind.h"
-#include "deform/binding.h"
-#include "deform/surface_weights.h"
-#include "deform/tiled_binding.h"
-#include "deform/weigher.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
+#include "weights/surface_weights.h"
+#include "weights/tiled_binding.h"
+#include "weights/weigher.h"
 
 namespace viete::bench {
 
 namespace {
 
-constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform::Weights::mean_value},
-    harmonics{deform::Elements::face, deform::Weights::harmonic},
-    biharmonics{deform::Elements::face, deform::Weights::biharmonic};
+constexpr pose::Weighting faces{}, mean_values{pose::Elements::point, pose::Weights::mean_value},
+    harmonics{pose::Elements::face, pose::Weights::harmonic},
+    biharmonics{pose::Elements::face, pose::Weights::biharmonic};
 
 class BindRuns {
 public:
   /// If `with_plain_loops` is true, also measures PlainWeights, which needs much memory.
-  BindRuns(const mesh::Surface& model, const deform::Cage& cage, bool with_plain_loops)
+  BindRuns(const mesh::Surface& model, const pose::Cage& cage, bool with_plain_loops)
       : model_(model), cage_(cage) {
     if (with_plain_loops)
       plain_ = std::make_unique<PlainWeights>(model_.positions.size(), cage_.element_count());
-    for (const auto v : lay_out(model_, cage_, faces).leaves.order)
+    for (const auto v : weights::lay_out(model_, cage_, faces).leaves.order)
       leaf_points_.push_back(model_.positions[v]);
-    leaf_rows_.resize(deform::leaf_slots * cage_.element_count());
+    leaf_rows_.resize(weights::leaf_slots * cage_.element_count());
   }
 
   std::vector<BenchResult> run(std::size_t rounds) {
@@ -44,11 +44,11 @@ public:
     };
     if (plain_) add("plain loops", [this] { plain_->compute(model_.positions, cage_); });
     add("vectors", [this] { weigh(faces); });
-    add("leaves and rings", [this] { lay_out(model_, cage_, faces); });
+    add("leaves and rings", [this] { weights::lay_out(model_, cage_, faces); });
     add("bound, dense", [this] { dense_ = bind(faces, 0); });
-    add("bound, compressed", [this] { compressed_ = bind(faces, deform::usual_tolerance); });
-    add("harmonic, bound, compressed", [this] { bind(harmonics, deform::usual_tolerance); });
-    add("biharmonic, bound, compressed", [this] { bind(biharmonics, deform::usual_tolerance); });
+    add("bound, compressed", [this] { compressed_ = bind(faces, weights::usual_tolerance); });
+    add("harmonic, bound, compressed", [this] { bind(harmonics, weights::usual_tolerance); });
+    add("biharmonic, bound, compressed", [this] { bind(biharmonics, weights::usual_tolerance); });
     add("mean values, vectors", [this] { weigh(mean_values); });
     add("mean values, bound", [this] { bind(mean_values, 0); });
     base::Progress progress;
@@ -57,32 +57,32 @@ public:
 
   std::size_t size() const { return model_.positions.size(); }
   std::size_t elements() const { return cage_.element_count(); }
-  const deform::TiledBinding& dense() const { return dense_; }
-  const deform::TiledBinding& compressed() const { return compressed_; }
+  const weights::TiledBinding& dense() const { return dense_; }
+  const weights::TiledBinding& compressed() const { return compressed_; }
 
 private:
   // Computes weights leaf by leaf, as compression does, so that the full matrix is never in memory.
-  void weigh(const deform::Weighting& weighting) {
-    const deform::Weigher weigher(cage_, weighting);
-    std::vector<deform::Vec3> sums(deform::leaf_slots);
-    std::vector<float> shares(deform::leaf_slots);
-    for (std::size_t begin = 0; begin < leaf_points_.size(); begin += deform::leaf_slots) {
-      const std::size_t count = std::min(deform::leaf_slots, leaf_points_.size() - begin);
+  void weigh(const pose::Weighting& weighting) {
+    const weights::Weigher weigher(cage_, weighting);
+    std::vector<mesh::Vec3> sums(weights::leaf_slots);
+    std::vector<float> shares(weights::leaf_slots);
+    for (std::size_t begin = 0; begin < leaf_points_.size(); begin += weights::leaf_slots) {
+      const std::size_t count = std::min(weights::leaf_slots, leaf_points_.size() - begin);
       weigher.weigh_tiles(std::span(leaf_points_).subspan(begin, count), leaf_rows_.data(), sums, shares);
     }
   }
 
-  deform::TiledBinding bind(const deform::Weighting& weighting, double tolerance) {
-    return deform::bind_tiles(model_, cage_, weighting, pool_, tolerance);
+  weights::TiledBinding bind(const pose::Weighting& weighting, double tolerance) {
+    return weights::bind_tiles(model_, cage_, weighting, pool_, tolerance);
   }
 
   const mesh::Surface& model_;
-  const deform::Cage& cage_;
+  const pose::Cage& cage_;
   base::WorkerPool pool_{1};
   std::unique_ptr<PlainWeights> plain_;
   std::vector<mesh::Point> leaf_points_;
   base::AlignedVector<float> leaf_rows_;
-  deform::TiledBinding dense_, compressed_;
+  weights::TiledBinding dense_, compressed_;
 };
 
 void print(const BindRuns& runs, const std::vector<BenchResult>& results) {

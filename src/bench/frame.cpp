@@ -14,8 +14,8 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "bench/reference_frame.h"
-#include "deform/bind.h"
-#include "deform/binding.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
 
 namespace viete::bench {
 
@@ -30,7 +30,7 @@ const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& n
 namespace {
 
 using namespace frame_names;
-using deform::Link;
+using pose::Link;
 using sym3::Method;
 
 /// A limit `bar` for the ratio: time of `over`, divided by the time of `under`.
@@ -66,11 +66,11 @@ struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<deform::LinkTimes()> links;  ///< times of the stages (deform::Link) of `run`; may be empty
-  std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
-  std::size_t bytes = 0;                     ///< number of bytes that one frame reads
+  std::function<pose::LinkTimes()> links;  ///< times of the stages (pose::Link) of `run`; may be empty
+  std::function<double()> error;           ///< distance from the staged frame in diagonals; may be empty
+  std::size_t bytes = 0;                   ///< number of bytes that one frame reads
   std::vector<double> cpu_ms{}, wall_ms{};
-  std::vector<deform::LinkTimes> link_ms{};
+  std::vector<pose::LinkTimes> link_ms{};
 };
 
 // Fills the caches as in a drag. A long frame overwrites the caches, so a long frame runs only once.
@@ -93,9 +93,9 @@ void time_once(Case& c) {
   if (c.links) c.link_ms.push_back(c.links());
 }
 
-deform::LinkTimes link_medians(const Case& c) {
-  deform::LinkTimes medians;
-  for (std::size_t link = 0; c.links && link < deform::link_count; ++link) {
+pose::LinkTimes link_medians(const Case& c) {
+  pose::LinkTimes medians;
+  for (std::size_t link = 0; c.links && link < pose::link_count; ++link) {
     std::vector<double> values;
     for (const auto& t : c.link_ms) values.push_back(t.ms[link]);
     medians.ms[link] = base::median(std::move(values));
@@ -112,31 +112,31 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
 }
 
 struct FusedFrame {
-  FusedFrame(std::shared_ptr<const deform::Cage> cage, std::shared_ptr<const deform::Binding> binding,
+  FusedFrame(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
              base::WorkerPool& pool)
-      : state(std::move(cage), binding->weighting.elements, deform::Blend::srl),
+      : state(std::move(cage), binding->weighting.elements, pose::Blend::srl),
         engine(std::move(binding), state.rows().form, pool) {}
 
-  void deform(const deform::Pose& pose) {
+  void deform(const pose::Pose& pose) {
     state.set_pose(pose);
     engine.run(state);
   }
-  deform::LinkTimes times() const {
-    deform::LinkTimes all = state.times();
+  pose::LinkTimes times() const {
+    pose::LinkTimes all = state.times();
     return all += engine.times();
   }
 
-  deform::CageState state;
+  pose::CageState state;
   deform::FusedEngine engine;
 };
 
 class FrameRuns {
 public:
-  FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage)
+  FrameRuns(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage)
       : cage_(std::move(cage)), pose_(moderate_pose(*cage_)) {
     bind_staged(model);
-    dense_ = bind_fused(model, 0, deform::Storage::dense);
-    compressed_ = bind_fused(model, deform::usual_tolerance, std::nullopt);
+    dense_ = bind_fused(model, 0, weights::Storage::dense);
+    compressed_ = bind_fused(model, weights::usual_tolerance, std::nullopt);
     if (staged_) add_staged();
     for (auto* pool : {&one_, &all_}) {
       if (pool == &all_ && all_.threads() == 1) continue;
@@ -170,8 +170,8 @@ public:
 private:
   // If memory is not sufficient, there is no staged frame, and errors have no reference.
   void bind_staged(const mesh::Surface& model) try {
-    binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
-    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, deform::Scheme{binding_->weighting}, one_);
+    binding_ = std::make_shared<const weights::Binding>(weights::bind(model, *cage_, weighting_, all_));
+    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, pose::Scheme{binding_->weighting}, one_);
     staged_->deform(pose_, Method::diag);  // Method::diag shares no code with `fast`
     expected_ = staged_->positions();
   } catch (const base::Error& error) {
@@ -193,20 +193,20 @@ private:
     }
   }
 
-  std::shared_ptr<const deform::Binding> bind_fused(const mesh::Surface& model, double tolerance,
-                                                    std::optional<deform::Storage> storage) {
-    auto tiles = deform::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage);
-    return std::make_shared<const deform::Binding>(deform::with_tiles(
-        mesh::lent(model), *cage_, std::make_shared<const deform::TiledBinding>(std::move(tiles))));
+  std::shared_ptr<const weights::Binding> bind_fused(const mesh::Surface& model, double tolerance,
+                                                     std::optional<weights::Storage> storage) {
+    auto tiles = weights::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage);
+    return std::make_shared<const weights::Binding>(weights::with_tiles(
+        mesh::lent(model), *cage_, std::make_shared<const weights::TiledBinding>(std::move(tiles))));
   }
 
-  void add_fused(const std::string& name, const std::shared_ptr<const deform::Binding>& binding,
+  void add_fused(const std::string& name, const std::shared_ptr<const weights::Binding>& binding,
                  base::WorkerPool& pool, bool drag) {
     frames_.push_back(std::make_unique<FusedFrame>(cage_, binding, pool));
     auto* frame = frames_.back().get();
     const auto run = [this, frame, drag] {
       if (!drag) return frame->deform(pose_);
-      deform::Pose pose = pose_;
+      pose::Pose pose = pose_;
       pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
       frame->deform(pose);
     };
@@ -217,7 +217,7 @@ private:
       c.error = [this, frame, drag] {
         if (drag) frame->deform(pose_);
         std::vector<mesh::Point> positions;
-        const deform::Vec3 origin = frame->state.rows().origin;
+        const mesh::Vec3 origin = frame->state.rows().origin;
         for (const auto& v : frame->engine.vertices())
           positions.push_back(origin + mesh::Point{v.position[0], v.position[1], v.position[2]});
         return distance(expected_, positions) / cage_->diagonal;
@@ -226,11 +226,11 @@ private:
     cases_.push_back(std::move(c));
   }
 
-  std::shared_ptr<const deform::Cage> cage_;
-  deform::Pose pose_;
-  deform::Weighting weighting_;
+  std::shared_ptr<const pose::Cage> cage_;
+  pose::Pose pose_;
+  pose::Weighting weighting_;
   base::WorkerPool one_{1}, all_{0};
-  std::shared_ptr<const deform::Binding> binding_, dense_, compressed_;
+  std::shared_ptr<const weights::Binding> binding_, dense_, compressed_;
   int step_ = 0;
   std::unique_ptr<deform::Deformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;
@@ -241,7 +241,7 @@ private:
 
 void print(std::span<const FrameTime> times) {
   Table table{{"", "cpu", "wall", "faster", "error", "MB"}, {}};
-  for (std::size_t l = 0; l < deform::link_count; ++l) table.columns.emplace_back(deform::name(Link(l)));
+  for (std::size_t l = 0; l < pose::link_count; ++l) table.columns.emplace_back(pose::name(Link(l)));
   const FrameTime* plain = frame_of(times, reference, times.front().faces);
   for (const FrameTime& t : times) {
     table.rows.push_back({t.threads > 1 ? t.name + ", " + std::to_string(t.threads) + " threads" : t.name,
@@ -262,8 +262,8 @@ nlohmann::json to_json(const FrameTime& t) {
                          {"threads", t.threads},   {"cpu_ms", t.cpu_ms}, {"wall_ms", t.wall_ms},
                          {"bytes", t.bytes}};
   if (!std::isnan(t.error)) json["error"] = t.error;
-  for (std::size_t l = 0; l < deform::link_count; ++l)
-    json["links_ms"][std::string(deform::name(Link(l)))] = t.links.ms[l];
+  for (std::size_t l = 0; l < pose::link_count; ++l)
+    json["links_ms"][std::string(pose::name(Link(l)))] = t.links.ms[l];
   return json;
 }
 

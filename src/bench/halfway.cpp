@@ -5,9 +5,9 @@
 
 #include "base/worker_pool.h"
 #include "bench/models.h"
-#include "deform/shape_space.h"
 #include "files/shape_import.h"
 #include "formats/read.h"
+#include "shapes/shape_space.h"
 
 namespace viete::bench {
 
@@ -17,7 +17,7 @@ using Points = std::vector<mesh::Point>;
 
 class Between {
 public:
-  Between(const deform::ShapeSpace& space, const Points& shape)
+  Between(const shapes::ShapeSpace& space, const Points& shape)
       : space_(space),
         shape_(shape),
         vector_(space.vector(shape, pool_)),
@@ -30,7 +30,7 @@ public:
     return line;
   }
   Points in_log_space(double share) {
-    const deform::LogTerm term{&vector_, share};
+    const shapes::LogTerm term{&vector_, share};
     Points positions(shape_.size());
     space_.shape({&term, 1}, held_, pool_, work_, positions);
     return positions;
@@ -38,11 +38,11 @@ public:
 
 private:
   base::WorkerPool pool_{1};
-  const deform::ShapeSpace& space_;
+  const shapes::ShapeSpace& space_;
   const Points& shape_;
-  deform::LogVector vector_;
-  deform::Held held_;
-  deform::LogSpace::Work work_;
+  shapes::LogVector vector_;
+  shapes::Held held_;
+  shapes::LogSpace::Work work_;
 };
 
 }  // namespace
@@ -74,7 +74,7 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
 Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
   constexpr std::size_t moments = 21;
   base::WorkerPool pool(1);
-  const deform::ShapeSpace space(model.rest, pool);
+  const shapes::ShapeSpace space(model.rest, pool);
   const std::vector<mesh::Edge> edges = mesh::polygon_edges(model.rest);
   const RestModel rest(model.rest);
   const Points& from = rest.positions();

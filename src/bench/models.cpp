@@ -112,7 +112,7 @@ BenchModel::BenchModel(const ModelOptions& options) {
     return;
   }
   for (const std::size_t faces : options.faces)
-    cages.push_back(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces))));
+    cages.push_back(std::make_shared<const pose::Cage>(pose::make_cage(star_cage(model, faces))));
 }
 
 std::string without_prefix(const std::string& name, const std::string& prefix) {
@@ -151,14 +151,14 @@ mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces) {
   return mesh::from_triangles(std::move(positions), triangles);
 }
 
-deform::Pose moderate_pose(const deform::Cage& cage) {
+pose::Pose moderate_pose(const pose::Cage& cage) {
   const auto box = mesh::bounds(cage.surface.positions);
   const Point size = box.high - box.low, middle = box.center();
   const int z = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   const int x = (z + 1) % 3, y = (z + 2) % 3;
   std::mt19937_64 random(20160101);
   std::uniform_real_distribution<double> noise(-0.01 * cage.diagonal, 0.01 * cage.diagonal);
-  deform::Pose pose = deform::rest_pose(cage);
+  pose::Pose pose = pose::rest_pose(cage);
   for (auto& p : pose.positions) {
     const double along = (p[z] - middle[z]) / size[z], twist = 0.8 * along, bend = 0.5 * along;
     const double u = p[x] - middle[x], v = p[y] - middle[y], w = 1.2 * (p[z] - middle[z]);

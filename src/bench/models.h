@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "analysis/strain.h"
-#include "deform/cage.h"
 #include "document/document.h"
 #include "mesh/surface.h"
+#include "pose/cage.h"
 
 namespace viete::bench {
 
@@ -36,7 +36,7 @@ struct BenchModel {
   explicit BenchModel(const ModelOptions& options);
 
   mesh::Surface model;
-  std::vector<std::shared_ptr<const deform::Cage>> cages;
+  std::vector<std::shared_ptr<const pose::Cage>> cages;
 };
 
 /// Removes a prefix: "pose_alert" becomes "alert".
@@ -51,7 +51,7 @@ mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces);
 
 /// Returns a pose of the cage: twisted by 0.8 radians and bent by 0.5 radians along its longest axis, and
 /// stretched by 1.2. Every vertex also moves by up to 1 % of the diagonal.
-deform::Pose moderate_pose(const deform::Cage& cage);
+pose::Pose moderate_pose(const pose::Cage& cage);
 
 /// Distortion of the triangles that have an area at rest. The 2x2 matrix J maps the plane of a triangle at
 /// rest to its deformed plane.

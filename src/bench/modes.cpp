@@ -11,16 +11,16 @@
 #include "base/median.h"
 #include "base/text.h"
 #include "bench/table.h"
-#include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/deformer.h"
-#include "deform/maps.h"
-#include "deform/pose_io.h"
 #include "mesh/edge_paths.h"
 #include "mesh/normals.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
+#include "pose/maps.h"
+#include "pose/pose_io.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
 
 namespace viete::bench {
 
@@ -29,7 +29,7 @@ namespace {
 using mesh::norm, mesh::Point;
 
 Point moved_by(const WholePose& pose, const Point& middle, double diagonal, const Point& p) {
-  return deform::times(pose.linear, p - middle) + middle + diagonal * pose.shift;
+  return pose::times(pose.linear, p - middle) + middle + diagonal * pose.shift;
 }
 
 sym3::Mat3<double> turned(double scale) {
@@ -61,7 +61,7 @@ std::span<const WholePose> whole_poses() {
   return poses;
 }
 
-double deviation(const WholePose& pose, const deform::Cage& cage, std::span<const Point> model,
+double deviation(const WholePose& pose, const pose::Cage& cage, std::span<const Point> model,
                  const Deform& deform) {
   const Point middle = mesh::used_bounds(cage.surface).center();
   mesh::Surface posed = cage.surface;
@@ -75,15 +75,15 @@ double deviation(const WholePose& pose, const deform::Cage& cage, std::span<cons
   return largest / mesh::used_bounds(posed).diagonal();
 }
 
-double leak(const deform::Cage& cage, std::span<const Point> model, const Deform& deform) {
+double leak(const pose::Cage& cage, std::span<const Point> model, const Deform& deform) {
   const std::vector<Point> normals = cage_normals(cage.surface);
-  const std::vector<Point> rest = deform(deform::rest_pose(cage));
+  const std::vector<Point> rest = deform(pose::rest_pose(cage));
   std::vector<double> medians;
   const auto used = used_vertices(cage.surface);
   const std::size_t count = std::min<std::size_t>(8, used.size());
   for (std::size_t n = 0; n < count; ++n) {
     const auto v = used[n * used.size() / count];
-    deform::Pose pose = deform::rest_pose(cage);
+    pose::Pose pose = pose::rest_pose(cage);
     const Point from = pose.positions[v];
     pose.positions[v] = from + 0.1 * cage.diagonal * normals[v];
     const std::vector<Point> positions = deform(pose);
@@ -98,7 +98,7 @@ double leak(const deform::Cage& cage, std::span<const Point> model, const Deform
   return medians.empty() ? std::numeric_limits<double>::quiet_NaN() : base::median(std::move(medians));
 }
 
-std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const Point> points,
+std::vector<CagePoint> nearest_on_cage(const pose::Cage& cage, std::span<const Point> points,
                                        base::WorkerPool& pool) {
   const auto& p = cage.surface.positions;
   const auto& triangles = cage.surface.triangles;
@@ -118,7 +118,7 @@ std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const
   return nearest;
 }
 
-double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
+double gap(const pose::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const Point> posed_cage, std::span<const Point> points) {
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -167,7 +167,7 @@ constexpr double next_to_none = 1e-10;
 
 class ModeRuns {
 public:
-  ModeRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
+  ModeRuns(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
            std::span<const NamedPose> poses, sym3::Method method)
       : surface_(model), cage_(std::move(cage)), poses_(poses), method_(method), model_(model) {
     near_pairs_ = near_pairs(model);
@@ -177,14 +177,14 @@ public:
   // Uses a fused binding for stitched schemes, and otherwise a staged binding. Staged bindings are large, so
   // only the last one is kept.
   void measure_shapes(Mode& mode) {
-    const deform::Weighting& weighting = mode.scheme.weighting;
+    const pose::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {
       deform::Deformer deformer(cage_, fused(weighting).binding, mode.scheme, all_, stitching(mode.scheme));
       return measure_shapes(mode, deformer);
     }
     if (!staged_ || !(staged_->weighting == weighting)) {
       staged_.reset();
-      staged_ = std::make_shared<const deform::Binding>(deform::bind(surface_, *cage_, weighting, all_));
+      staged_ = std::make_shared<const weights::Binding>(weights::bind(surface_, *cage_, weighting, all_));
       note(staged_->warnings);
     }
     deform::Deformer deformer(cage_, staged_, mode.scheme, all_);
@@ -192,7 +192,7 @@ public:
   }
 
   void measure_shapes(Mode& mode, deform::Deformer& deformer) {
-    const Deform deform = [&](const deform::Pose& pose) {
+    const Deform deform = [&](const pose::Pose& pose) {
       deformer.deform(pose, method_);
       return deformer.positions();
     };
@@ -203,23 +203,23 @@ public:
     for (const NamedPose& p : poses_) mode.qualities.push_back(quality(p.pose, deform(p.pose)));
   }
   const RestModel& model() const { return model_; }
-  double rest_gap() const { return gap_of(deform::rest_pose(*cage_), model_.positions()); }
+  double rest_gap() const { return gap_of(pose::rest_pose(*cage_), model_.positions()); }
   const std::vector<std::string>& warnings() const { return warnings_; }
   void forget_shapes() { staged_.reset(); }
 
   // Binds the model as the program does, and adds a frame for time_frames().
   void add_frame(Mode& mode) {
-    const deform::Weighting& weighting = mode.scheme.weighting;
+    const pose::Weighting& weighting = mode.scheme.weighting;
     const Bound& bound = fused(weighting);
     mode.bind_ms = bound.ms;
     auto frame = std::make_unique<deform::Deformer>(
         cage_, bound.binding, mode.scheme, one_, mode.scheme.stitched() ? stitching(mode.scheme) : nullptr);
     if (!frame->engine(method_)) {
-      const auto both = std::make_shared<const deform::Binding>(deform::bind(
-          mesh::lent(surface_), *cage_, weighting, deform::EngineKind::staged, bound.binding.get(), all_));
+      const auto both = std::make_shared<const weights::Binding>(weights::bind(
+          mesh::lent(surface_), *cage_, weighting, pose::EngineKind::staged, bound.binding.get(), all_));
       frame = std::make_unique<deform::Deformer>(cage_, both, mode.scheme, one_);
     }
-    mode.fused = frame->engine(method_) == deform::EngineKind::fused;
+    mode.fused = frame->engine(method_) == pose::EngineKind::fused;
     frames_.push_back({&mode, std::move(frame)});
   }
 
@@ -239,7 +239,7 @@ public:
 
 private:
   struct Bound {
-    std::shared_ptr<const deform::Binding> binding;
+    std::shared_ptr<const weights::Binding> binding;
     double ms = 0;
   };
   struct Frame {
@@ -247,18 +247,18 @@ private:
     std::unique_ptr<deform::Deformer> deformer;
   };
 
-  const Bound& fused(const deform::Weighting& weighting) {
+  const Bound& fused(const pose::Weighting& weighting) {
     const auto known =
         std::ranges::find_if(bound_, [&](const auto& b) { return b.binding->weighting == weighting; });
     if (known != bound_.end()) return *known;
     const double start = base::thread_seconds();
-    auto binding = std::make_shared<const deform::Binding>(
-        deform::bind(mesh::lent(surface_), *cage_, weighting, deform::EngineKind::fused, nullptr, one_));
+    auto binding = std::make_shared<const weights::Binding>(
+        weights::bind(mesh::lent(surface_), *cage_, weighting, pose::EngineKind::fused, nullptr, one_));
     bound_.push_back({std::move(binding), 1e3 * (base::thread_seconds() - start)});
     return bound_.back();
   }
 
-  std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
+  std::shared_ptr<const deform::Stitching> stitching(const pose::Scheme& scheme) {
     if (!stitching_ || !stitching_->serves(scheme))
       stitching_ = std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, scheme));
     return stitching_;
@@ -270,11 +270,11 @@ private:
     }
   }
 
-  double gap_of(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
+  double gap_of(const pose::Pose& pose, std::span<const mesh::Point> positions) const {
     return gap(*cage_, nearest_, model_.vertex_shares(), pose.positions, positions);
   }
 
-  ShapeQuality quality(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
+  ShapeQuality quality(const pose::Pose& pose, std::span<const mesh::Point> positions) const {
     const auto [energy, collapsed] = model_.distortion(positions);
     const double torn = bench::torn(near_pairs_, model_.positions(), positions);
     return {energy, collapsed, model_.bending(positions), model_.volume(positions), gap_of(pose, positions),
@@ -282,29 +282,29 @@ private:
   }
 
   const mesh::Surface& surface_;
-  std::shared_ptr<const deform::Cage> cage_;
+  std::shared_ptr<const pose::Cage> cage_;
   std::span<const NamedPose> poses_;
   sym3::Method method_;
   RestModel model_;
   std::vector<mesh::Edge> near_pairs_;
   base::WorkerPool one_{1}, all_{0};
   std::vector<CagePoint> nearest_;
-  std::shared_ptr<const deform::Binding> staged_;
+  std::shared_ptr<const weights::Binding> staged_;
   std::deque<Bound> bound_;  // a deque, so that references to its elements stay valid
   std::shared_ptr<const deform::Stitching> stitching_;
   std::vector<Frame> frames_;
   std::vector<std::string> warnings_;
 };
 
-std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
-  std::vector<deform::Scheme> all, schemes;
-  for (const auto way : base::all_values<deform::Way>()) all.push_back(deform::scheme_of(way));
+std::vector<pose::Scheme> measured_schemes(const ModeSettings& settings) {
+  std::vector<pose::Scheme> all, schemes;
+  for (const auto way : base::all_values<pose::Way>()) all.push_back(pose::scheme_of(way));
   if (!settings.named_only) {
-    const auto others = deform::valid_schemes();
+    const auto others = pose::valid_schemes();
     all.insert(all.end(), others.begin(), others.end());
   }
-  for (deform::Scheme scheme : all) {
-    if (way_of(scheme) != deform::Way::mean_value && !fits(settings.choice, scheme)) continue;
+  for (pose::Scheme scheme : all) {
+    if (way_of(scheme) != pose::Way::mean_value && !fits(settings.choice, scheme)) continue;
     scheme.weighting.radius = settings.radius.value_or(scheme.weighting.radius);
     if (settings.iterations > 0) scheme.iterations = settings.iterations;
     if (conflict(scheme)) scheme.iterations = 0;
@@ -315,9 +315,9 @@ std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
 }
 
 // Groups schemes with equal weights, so that each weighting is computed once.
-std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
+std::vector<Mode> modes_by_weights(const std::vector<pose::Scheme>& schemes) {
   std::vector<Mode> modes;
-  for (const deform::Scheme& scheme : schemes) {
+  for (const pose::Scheme& scheme : schemes) {
     const auto alike = std::find_if(modes.rbegin(), modes.rend(),
                                     [&](const Mode& m) { return m.scheme.weighting == scheme.weighting; });
     Mode mode;
@@ -333,7 +333,7 @@ double ratio(double value, double of) {
 
 void compare_with_mean_values(std::vector<Mode>& modes) {
   const auto reference = std::ranges::find_if(
-      modes, [](const Mode& m) { return m.problem.empty() && way_of(m.scheme) == deform::Way::mean_value; });
+      modes, [](const Mode& m) { return m.problem.empty() && way_of(m.scheme) == pose::Way::mean_value; });
   if (reference == modes.end()) return;
   const std::vector<ShapeQuality> theirs = reference->qualities;
   for (Mode& mode : modes) {
@@ -348,11 +348,11 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
 
 }  // namespace
 
-ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
+ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress) {
   ModeRuns runs(model, std::move(cage), poses, settings.method);
-  const std::vector<deform::Scheme> schemes = measured_schemes(settings);
+  const std::vector<pose::Scheme> schemes = measured_schemes(settings);
   std::vector<Mode> modes = modes_by_weights(schemes);
   // The progress after each of the first two stages.
   constexpr double shapes = 0.6, bound = 0.7;
@@ -381,11 +381,11 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
           runs.warnings()};
 }
 
-std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
+std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const pose::Cage& cage,
                                   std::vector<std::string>& warnings) {
   std::vector<NamedPose> poses;
   for (const auto& file : files)
-    poses.push_back({without_prefix(file.stem().string(), "pose_"), deform::read_pose(file, cage, warnings)});
+    poses.push_back({without_prefix(file.stem().string(), "pose_"), pose::read_pose(file, cage, warnings)});
   return poses;
 }
 

@@ -16,10 +16,10 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "bench/models.h"
-#include "deform/cage.h"
-#include "deform/scheme.h"
 #include "mesh/half_edges.h"
 #include "mesh/surface.h"
+#include "pose/cage.h"
+#include "pose/scheme.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
 
@@ -27,7 +27,7 @@ namespace viete::bench {
 
 struct NamedPose {
   std::string name;
-  deform::Pose pose;
+  pose::Pose pose;
 };
 
 /// Numbers that compare a deformed model with the model at rest.
@@ -45,7 +45,7 @@ struct ShapeQuality {
 
 /// Results of one scheme.
 struct Mode {
-  deform::Scheme scheme;
+  pose::Scheme scheme;
   std::string problem;                  ///< reason if this model and cage do not support the scheme
   std::array<double, 4> deviations{};   ///< one deviation for each of whole_poses()
   double leak = 0;                      ///< see bench::leak()
@@ -77,18 +77,18 @@ std::span<const WholePose> whole_poses();
 inline constexpr double exactly = 1e-9;
 
 /// Returns the model's vertices for a pose of the cage.
-using Deform = std::function<std::vector<mesh::Point>(const deform::Pose&)>;
+using Deform = std::function<std::vector<mesh::Point>(const pose::Pose&)>;
 
 /// Returns the largest distance between a deformed vertex and the vertex moved by the map of `pose`, in
 /// diagonals of the posed cage.
-double deviation(const WholePose& pose, const deform::Cage& cage, std::span<const mesh::Point> model,
+double deviation(const WholePose& pose, const pose::Cage& cage, std::span<const mesh::Point> model,
                  const Deform& deform);
 
 /// Moves one cage vertex along its normal by a tenth of the cage's diagonal. Takes the median motion of all
 /// model vertices that were more than a quarter of the diagonal away from this cage vertex. Returns the
 /// median of these medians over at most 8 cage vertices, in diagonals. If no model vertex is that far away,
 /// returns NaN.
-double leak(const deform::Cage& cage, std::span<const mesh::Point> model, const Deform& deform);
+double leak(const pose::Cage& cage, std::span<const mesh::Point> model, const Deform& deform);
 
 /// A point of the cage's surface: a triangle and barycentric coordinates.
 struct CagePoint {
@@ -96,11 +96,11 @@ struct CagePoint {
   mesh::Vec3 barycentric;
 };
 /// Returns for each point the nearest point of the cage at rest.
-std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const mesh::Point> points,
+std::vector<CagePoint> nearest_on_cage(const pose::Cage& cage, std::span<const mesh::Point> points,
                                        base::WorkerPool& pool);
 /// Returns the mean distance between the points and the posed positions of `nearest`, in diagonals of the
 /// cage at rest. The weights of the mean are `shares`; their sum is 1.
-double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
+double gap(const pose::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
 
 /// Returns pairs of vertices that are near but not connected. Vertices at one place count as one vertex. The
@@ -116,23 +116,23 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest
 
 struct ModeSettings {
   std::size_t rounds = 11;
-  deform::PartialChoice choice{};  ///< limits the schemes; mean value coordinates are always measured
+  pose::PartialChoice choice{};    ///< limits the schemes; mean value coordinates are always measured
   std::optional<double> radius{};  ///< radius of cut-off weights
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< number of solves for stitched schemes
-  deform::Holding holding{};
+  pose::Holding holding{};
   bool named_only = false;  ///< if true, measures only named deformers
 };
 
 /// Measures the named deformers and all other valid schemes, if they match settings.choice. The staged
 /// engine computes the shapes, except those of stitched schemes. Frame times are for the first pose, on one
 /// thread, in interleaved rounds. `poses` must not be empty. Throws base::Error and base::Cancelled.
-ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
+ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress);
 
 /// Reads poses and names them by their files: "pose_alert.obj" becomes "alert". Throws base::Error.
-std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
+std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const pose::Cage& cage,
                                   std::vector<std::string>& warnings);
 
 /// The smallest, the median and the largest value over the poses. NaN if no pose has a number.

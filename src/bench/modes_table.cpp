@@ -65,8 +65,8 @@ std::string cell(double value, const char* format) {
 }
 
 std::string name_of(const Mode& mode) {
-  const auto way = deform::way_of(mode.scheme);
-  return (way ? std::string(base::entry_of(*way).word) + ": " : "") + deform::text(mode.scheme);
+  const auto way = pose::way_of(mode.scheme);
+  return (way ? std::string(base::entry_of(*way).word) + ": " : "") + pose::text(mode.scheme);
 }
 
 template <class Row>
@@ -116,11 +116,11 @@ void print_notes(const ModeComparison& compared, std::span<const NamedPose> pose
 }
 
 nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
-  const deform::Scheme& scheme = mode.scheme;
-  nlohmann::json json = {{"name", deform::text(scheme)},
+  const pose::Scheme& scheme = mode.scheme;
+  nlohmann::json json = {{"name", pose::text(scheme)},
                          {"weights", base::entry_of(scheme.weighting.weights).word},
                          {"blend", base::entry_of(scheme.blend).word}};
-  if (const auto way = deform::way_of(scheme)) json["way"] = base::entry_of(*way).word;
+  if (const auto way = pose::way_of(scheme)) json["way"] = base::entry_of(*way).word;
   if (!mode.problem.empty()) {
     json["problem"] = mode.problem;
     return json;

@@ -10,7 +10,7 @@
 
 namespace viete::bench {
 
-using namespace deform;
+using namespace pose;
 
 namespace {
 
@@ -62,7 +62,7 @@ Eigen::Matrix3d exp_stretch(const Eigen::Matrix3d& m) {
   return sym3::to_eigen(sym3::exp(sym3::from_eigen<double>(m), sym3::Method::improved_sd));
 }
 
-Eigen::Vector3d vector(const deform::Vec3& v) {
+Eigen::Vector3d vector(const mesh::Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
@@ -93,7 +93,7 @@ struct ReferenceFrame::Handle {
   Eigen::Vector3d center;
 };
 
-ReferenceFrame::ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding)
+ReferenceFrame::ReferenceFrame(const pose::Cage& cage, const weights::Binding& binding)
     : cage_(cage),
       binding_(binding),
       handles_(binding.handles),
@@ -102,16 +102,16 @@ ReferenceFrame::ReferenceFrame(const deform::Cage& cage, const deform::Binding& 
 
 ReferenceFrame::~ReferenceFrame() = default;
 
-void ReferenceFrame::deform(const deform::Pose& pose) {
+void ReferenceFrame::deform(const pose::Pose& pose) {
   log_cage(pose);
   for (std::size_t v = 0; v < positions_.size(); ++v) positions_[v] = place(v);
   scatter_normals();
 }
 
-void ReferenceFrame::log_cage(const deform::Pose& pose) {
+void ReferenceFrame::log_cage(const pose::Pose& pose) {
   for (std::size_t j = 0; j < handles_.size(); ++j) {
     const auto& t = cage_.elements.triangles[j];
-    const auto posed = corners(t, deform::with_centers(cage_, pose.positions));
+    const auto posed = corners(t, pose::with_centers(cage_, pose.positions));
     const Eigen::Matrix3d map = frame_of(posed) * frame_of(corners(t, cage_.elements.positions)).inverse();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Eigen::Matrix3d& v = svd.matrixV();

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "deform/binding.h"
-#include "deform/cage.h"
+#include "pose/cage.h"
+#include "weights/binding.h"
 
 namespace viete::bench {
 
@@ -18,7 +18,7 @@ public:
   PlainWeights(std::size_t vertices, std::size_t elements)
       : distances_(vertices * elements), weights_(vertices * elements) {}
 
-  void compute(std::span<const mesh::Point> positions, const deform::Cage& cage);
+  void compute(std::span<const mesh::Point> positions, const pose::Cage& cage);
   std::span<const double> weights() const { return weights_; }
 
 private:
@@ -33,22 +33,22 @@ private:
 class ReferenceFrame {
 public:
   /// Keeps references to the arguments. The binding must have weights.
-  ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding);
+  ReferenceFrame(const pose::Cage& cage, const weights::Binding& binding);
   ~ReferenceFrame();
 
-  void deform(const deform::Pose& pose);
+  void deform(const pose::Pose& pose);
 
   std::span<const mesh::Point> positions() const { return positions_; }
   std::span<const mesh::Point> normals() const { return normals_; }
 
 private:
   struct Handle;
-  void log_cage(const deform::Pose& pose);
+  void log_cage(const pose::Pose& pose);
   mesh::Point place(std::size_t vertex) const;
   void scatter_normals();
 
-  const deform::Cage& cage_;
-  const deform::Binding& binding_;
+  const pose::Cage& cage_;
+  const weights::Binding& binding_;
   std::vector<Handle> handles_;
   std::vector<mesh::Point> positions_, normals_;
 };

@@ -130,7 +130,7 @@ Section deformation_section(const Figures& figures) {
     const FrameTime* t = staged_frame(figures.deformation, m);
     if (!t) continue;
     const std::string label(sym3::label(m));
-    const double exp = t->links[deform::Link::exp], blend = t->links[deform::Link::blend];
+    const double exp = t->links[pose::Link::exp], blend = t->links[pose::Link::blend];
     plot.bars.push_back({label, t->cpu_ms, color_of_method(label), exp});
     table.rows.push_back({label, few_digits(t->cpu_ms), few_digits(exp),
                           percent(100 * exp / t->links.total()), few_digits(blend),
@@ -305,8 +305,8 @@ Section frames_section(const Figures& figures) {
 }
 
 std::string label_of(const Mode& mode) {
-  const auto way = deform::way_of(mode.scheme);
-  return way ? std::string(base::entry_of(*way).label) : deform::text(mode.scheme);
+  const auto way = pose::way_of(mode.scheme);
+  return way ? std::string(base::entry_of(*way).label) : pose::text(mode.scheme);
 }
 
 std::string number(double value) {
@@ -331,7 +331,7 @@ const Mode& least(const Modes& modes, double (*value)(const Mode&)) {
 }
 
 bool is_default(const Mode& mode) {
-  return deform::way_of(mode.scheme) == deform::Way::smooth;
+  return pose::way_of(mode.scheme) == pose::Way::smooth;
 }
 
 std::string deformers_plot(const char* title, const Modes& modes, double (*value)(const Mode&),
@@ -363,7 +363,7 @@ Table deformers_table(const Modes& modes) {
 std::string descriptions(const Modes& modes) {
   Table table{{"deformer", "what it does"}, {}, {"what it does"}};
   for (const Mode* m : modes)
-    if (const auto way = deform::way_of(m->scheme))
+    if (const auto way = pose::way_of(m->scheme))
       table.rows.push_back({label_of(*m), std::string(base::entry_of(*way).hint)});
   return details("Description of the deformers", html(table));
 }

@@ -25,7 +25,7 @@ struct Edited {
 
 // The functions below are thread-safe and do not change `cage`. The given vertices, edges and polygons must
 // belong to `cage` and must be unique. Vertices without polygons are removed. The result can be an invalid
-// cage; see deform::make_cage().
+// cage; see pose::make_cage().
 
 /// Adds a vertex at the middle of each edge. Divides the polygons at the edge into triangles.
 Edited split_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);

@@ -3,15 +3,15 @@
 #include <cassert>
 #include <utility>
 
-#include "deform/scheme.h"
 #include "deform/vertex_sample.h"
+#include "pose/scheme.h"
 
 namespace viete::deform {
 
 namespace {
 
 template <class Indices>
-std::vector<Vec3> positions_at(std::span<const FrameVertex> vertices, const Indices& indices) {
+std::vector<Vec3> positions_at(std::span<const pose::FrameVertex> vertices, const Indices& indices) {
   std::vector<Vec3> some;
   for (const auto i : indices) {
     const auto& p = vertices[i].position;
@@ -22,8 +22,9 @@ std::vector<Vec3> positions_at(std::span<const FrameVertex> vertices, const Indi
 
 }  // namespace
 
-Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding,
-                   const Scheme& scheme, base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
+Deformer::Deformer(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
+                   const pose::Scheme& scheme, base::WorkerPool& pool,
+                   std::shared_ptr<const Stitching> stitching)
     : cage_(cage),
       pool_(pool),
       binding_(std::move(binding)),
@@ -32,7 +33,7 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
       weigher_(state_.cage(), binding_->weighting),
       layer_(*binding_->rest, pool) {
   state_.set_amounts(scheme.amounts);
-  const RowForm form = state_.rows().form;
+  const pose::RowForm form = state_.rows().form;
   if (!binding_->weights.empty()) staged_ = std::make_unique<StagedEngine>(binding_, form, pool);
   if (scheme.stitched() && stitching && binding_->tiles) {
     stitched_ =
@@ -43,14 +44,14 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
   set_mask(nullptr);
 }
 
-std::optional<EngineKind> Deformer::engine(sym3::Method method) const {
-  const EngineKind wanted = engine_for(scheme_, method, all_staged_);
-  if (wanted == EngineKind::stitched) return stitched_ ? std::optional(wanted) : std::nullopt;
-  if (wanted == EngineKind::fused && fused_) return wanted;
-  return staged_ ? std::optional(EngineKind::staged) : std::nullopt;
+std::optional<pose::EngineKind> Deformer::engine(sym3::Method method) const {
+  const pose::EngineKind wanted = engine_for(scheme_, method, all_staged_);
+  if (wanted == pose::EngineKind::stitched) return stitched_ ? std::optional(wanted) : std::nullopt;
+  if (wanted == pose::EngineKind::fused && fused_) return wanted;
+  return staged_ ? std::optional(pose::EngineKind::staged) : std::nullopt;
 }
 
-void Deformer::set_amounts(const Amounts& amounts) {
+void Deformer::set_amounts(const pose::Amounts& amounts) {
   scheme_.amounts = amounts;
   state_.set_amounts(amounts);
 }
@@ -62,7 +63,7 @@ void Deformer::for_engines(const Act& act) {
   if (stitched_) act(*stitched_);
 }
 
-void Deformer::set_mask(Mask mask) {
+void Deformer::set_mask(weights::Mask mask) {
   mask_ = std::move(mask);
   layer_.set(layer_.probes(), mask_);
   const bool partial = !binding_->shares.empty() || (binding_->tiles && !binding_->tiles->shares.empty());
@@ -70,10 +71,10 @@ void Deformer::set_mask(Mask mask) {
   for_engines([&](Engine& engine) { engine.set_mask(mask_); });
 }
 
-void Deformer::set_shape(const SharedShape& shape) {
+void Deformer::set_shape(const weights::SharedShape& shape) {
   if (shape == shape_) return;
   shape_ = shape;
-  ways_ = ways_of(shape, *binding_->rest);
+  ways_ = weights::ways_of(shape, *binding_->rest);
   if (shape && !follower_ && ShapeFollower::is_for(scheme_))
     follower_ = std::make_unique<ShapeFollower>(cage_);
   show_ways(ways_);
@@ -84,22 +85,22 @@ void Deformer::show_ways(std::span<const Vec3> ways) {
   for_engines([&](Engine& engine) { engine.set_shape(ways); });
 }
 
-void Deformer::set_probes(const Probes& probes) {
+void Deformer::set_probes(const pose::Probes& probes) {
   layer_.set(probes, mask_);
 }
 
-Engine& Deformer::of(EngineKind kind) const {
+Engine& Deformer::of(pose::EngineKind kind) const {
   switch (kind) {
-    case EngineKind::staged: return *staged_;
-    case EngineKind::fused: return *fused_;
-    case EngineKind::stitched: return *stitched_;
+    case pose::EngineKind::staged: return *staged_;
+    case pose::EngineKind::fused: return *fused_;
+    case pose::EngineKind::stitched: return *stitched_;
   }
   return *fused_;
 }
 
-void Deformer::deform(const Pose& pose, sym3::Method method) {
-  const EngineKind kind = engine(method).value_or(EngineKind::fused);
-  assert(kind != EngineKind::fused || fused_);
+void Deformer::deform(const pose::Pose& pose, sym3::Method method) {
+  const pose::EngineKind kind = engine(method).value_or(pose::EngineKind::fused);
+  assert(kind != pose::EngineKind::fused || fused_);
   state_.set_pose(pose);
   if (follower_ && !ways_.empty()) {
     follower_->set_pose(pose);
@@ -112,12 +113,12 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   if (!layer_.moves()) layer_.carry(positions_at(vertices(), layer_.anchors()), origin());
 }
 
-std::span<const FrameVertex> Deformer::vertices() const {
-  return ran_ ? last().vertices() : std::span<const FrameVertex>();
+std::span<const pose::FrameVertex> Deformer::vertices() const {
+  return ran_ ? last().vertices() : std::span<const pose::FrameVertex>();
 }
 
-LinkTimes Deformer::times() const {
-  LinkTimes times;
+pose::LinkTimes Deformer::times() const {
+  pose::LinkTimes times;
   if (!ran_) return times;
   times += state_.times();
   times += last().times();
@@ -125,21 +126,21 @@ LinkTimes Deformer::times() const {
 }
 
 std::vector<mesh::Point> Deformer::positions() const {
-  if (ran_ == EngineKind::staged) return {staged_->positions().begin(), staged_->positions().end()};
+  if (ran_ == pose::EngineKind::staged) return {staged_->positions().begin(), staged_->positions().end()};
   std::vector<mesh::Point> all;
-  if (ran_ == EngineKind::stitched && !layer_.moves()) {
+  if (ran_ == pose::EngineKind::stitched && !layer_.moves()) {
     for (const Vec3& p : stitched_->positions()) all.push_back(origin() + p);
     return all;
   }
-  for (const FrameVertex& v : vertices())
+  for (const pose::FrameVertex& v : vertices())
     all.push_back(origin() + Vec3{v.position[0], v.position[1], v.position[2]});
   return all;
 }
 
 std::vector<mesh::Point> Deformer::normals() const {
-  if (ran_ == EngineKind::staged) return {staged_->normals().begin(), staged_->normals().end()};
+  if (ran_ == pose::EngineKind::staged) return {staged_->normals().begin(), staged_->normals().end()};
   std::vector<mesh::Point> all;
-  for (const FrameVertex& v : vertices()) all.push_back(base::unpack_normal(v.normal));
+  for (const pose::FrameVertex& v : vertices()) all.push_back(base::unpack_normal(v.normal));
   return all;
 }
 
@@ -149,12 +150,13 @@ std::vector<sym3::Sym3<double>> Deformer::sample_matrices(std::size_t limit) con
 }
 
 double Deformer::sampled_error() const {
-  if (!ran_ || ran_ == EngineKind::staged) return 0;
+  if (!ran_ || ran_ == pose::EngineKind::staged) return 0;
   const auto measured = [&](const ProbeLayer* layer, std::span<const Vec3> shown) {
     return deform::sampled_error(weigher_, *binding_, mask_, shown_ways_, state_.rows(), layer, shown);
   };
-  if (ran_ == EngineKind::stitched) return measured(nullptr, stitched_->blended_sample());
-  return measured(&layer_, positions_at(vertices(), spread_vertices(binding_->vertices, error_sample)));
+  if (ran_ == pose::EngineKind::stitched) return measured(nullptr, stitched_->blended_sample());
+  return measured(
+      &layer_, positions_at(vertices(), weights::spread_vertices(binding_->vertices, weights::error_sample)));
 }
 
 }  // namespace viete::deform

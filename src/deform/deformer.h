@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "deform/binding.h"
-#include "deform/cage_state.h"
 #include "deform/fused_engine.h"
 #include "deform/shape_follower.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
-#include "deform/weigher.h"
+#include "pose/cage_state.h"
+#include "weights/binding.h"
+#include "weights/weigher.h"
 
 namespace viete::deform {
 
@@ -24,40 +24,41 @@ class Deformer {
 public:
   /// `cage` and `binding` must not be null, and the binding must be for this cage and the scheme's weights.
   /// `stitching` must be for this scheme, or null if the scheme is not stitched or stitching is not ready.
-  Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, const Scheme& scheme,
-           base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
+  Deformer(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
+           const pose::Scheme& scheme, base::WorkerPool& pool,
+           std::shared_ptr<const Stitching> stitching = nullptr);
 
-  const Scheme& scheme() const { return scheme_; }
+  const pose::Scheme& scheme() const { return scheme_; }
   /// Changes only the amounts of the scheme. All setters apply to the next frames.
-  void set_amounts(const Amounts& amounts);
+  void set_amounts(const pose::Amounts& amounts);
   /// mask: one factor per vertex, from 0 (stays at rest) to 1 (full motion); null if all are 1.
-  void set_mask(Mask mask);
-  const Mask& mask() const { return mask_; }
+  void set_mask(weights::Mask mask);
+  const weights::Mask& mask() const { return mask_; }
   /// Sets the shape that the cage deforms: one position per vertex, or null for the rest positions.
-  void set_shape(const SharedShape& shape);
-  const SharedShape& shape() const { return shape_; }
+  void set_shape(const weights::SharedShape& shape);
+  const weights::SharedShape& shape() const { return shape_; }
   /// Sets the probes, which move the model after the cage.
-  void set_probes(const Probes& probes);
+  void set_probes(const pose::Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
-  const Binding& binding() const { return *binding_; }
+  const weights::Binding& binding() const { return *binding_; }
   /// If `all`, blends with exponentials use the staged engine even with method `fast`, to compare times.
   void set_all_staged(bool all) { all_staged_ = all; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
-  std::optional<EngineKind> engine(sym3::Method method) const;
+  std::optional<pose::EngineKind> engine(sym3::Method method) const;
   /// See CageState::begin_drag() and FusedEngine.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
   /// Computes one frame. Throws base::Error if pose.positions does not have one entry per cage vertex. If
   /// engine(method) is nullopt, uses the fused engine, which must then exist.
-  void deform(const Pose& pose, sym3::Method method);
+  void deform(const pose::Pose& pose, sym3::Method method);
 
   /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.
-  std::span<const FrameVertex> vertices() const;
+  std::span<const pose::FrameVertex> vertices() const;
   Vec3 origin() const { return state_.rows().origin; }
-  const CageState& state() const { return state_; }
+  const pose::CageState& state() const { return state_; }
   /// The engine of the last frame; nullopt before the first frame.
-  std::optional<EngineKind> ran() const { return ran_; }
-  LinkTimes times() const;
+  std::optional<pose::EngineKind> ran() const { return ran_; }
+  pose::LinkTimes times() const;
 
   /// Return copies of all positions and normals of the last frame. The staged engine gives double precision,
   /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves the model.
@@ -71,28 +72,28 @@ public:
   double sampled_error() const;
 
 private:
-  Engine& of(EngineKind kind) const;
+  Engine& of(pose::EngineKind kind) const;
   template <class Act>
   void for_engines(const Act& act);
   void show_ways(std::span<const Vec3> ways);
   const Engine& last() const { return of(*ran_); }
 
-  std::shared_ptr<const Cage> cage_;
+  std::shared_ptr<const pose::Cage> cage_;
   base::WorkerPool& pool_;
-  std::shared_ptr<const Binding> binding_;
-  Scheme scheme_;
-  Mask mask_;
-  SharedShape shape_;
+  std::shared_ptr<const weights::Binding> binding_;
+  pose::Scheme scheme_;
+  weights::Mask mask_;
+  weights::SharedShape shape_;
   std::vector<Vec3> ways_;                   // displacements of the shape from rest
   std::span<const Vec3> shown_ways_;         // displacements passed to the engines: ways_ or rotated ways_
   std::unique_ptr<ShapeFollower> follower_;  // rotates ways_; null if not needed
-  CageState state_;
-  Weigher weigher_;
+  pose::CageState state_;
+  weights::Weigher weigher_;
   ProbeLayer layer_;
   std::unique_ptr<FusedEngine> fused_;
   std::unique_ptr<StagedEngine> staged_;
   std::unique_ptr<StitchedEngine> stitched_;
-  std::optional<EngineKind> ran_;
+  std::optional<pose::EngineKind> ran_;
   bool all_staged_ = false;
 };
 

@@ -9,7 +9,7 @@
 #include "base/memory.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
-#include "deform/surface_weights.h"
+#include "weights/surface_weights.h"
 
 namespace viete::deform {
 
@@ -19,10 +19,11 @@ namespace {
 // block take about a megabyte.
 std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
-  return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
+  return std::clamp(weights / std::max<std::size_t>(handles, 1) / weights::bind_lanes * weights::bind_lanes,
+                    weights::bind_lanes, most);
 }
 
-bool holds_shares(const Mask& mask, const Weighting& weighting) {
+bool holds_shares(const weights::Mask& mask, const pose::Weighting& weighting) {
   return mask || weighting.partial();
 }
 
@@ -38,9 +39,9 @@ bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
 
 }  // namespace
 
-ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const Cage> cage,
-                             const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
-                             Weights weights, const Mask& mask, base::Progress* progress)
+ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
+                             const pose::Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
+                             Weights weights, const weights::Mask& mask, base::Progress* progress)
     : model_(with_vertices(model)),
       cage_(std::move(cage)),
       scheme_(scheme),
@@ -53,7 +54,7 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   const std::size_t n = model_.positions.size();
   state_.set_amounts(scheme.amounts);
   state_.keep_origin(holds_shares(mask_, scheme.weighting));
-  if (scheme.stitched() && needs_coarse_model(model_)) {
+  if (scheme.stitched() && weights::needs_coarse_model(model_)) {
     std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.25);
     coarse_model_.emplace(model_, pool_, progress);
     part.emplace(progress, 0.25, 0.5);
@@ -66,12 +67,12 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   }
   const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
   const bool on_surface = scheme.weighting.on_surface();
-  if (on_surface && n > most_solved_vertices) {
+  if (on_surface && n > weights::most_solved_vertices) {
     proxy_.emplace(model_, *cage_, scheme.weighting, pool_, progress);
     row_ = [this](std::uint32_t vertex, std::span<double> row) { proxy_->row(vertex, row); };
   } else if (on_surface) {
-    surface_weights_ = deform::bind(mesh::lent(model_), *cage_, scheme.weighting, EngineKind::staged, nullptr,
-                                    pool_, progress);
+    surface_weights_ = weights::bind(mesh::lent(model_), *cage_, scheme.weighting, pose::EngineKind::staged,
+                                     nullptr, pool_, progress);
     row_ = known_row(surface_weights_);
   }
   const bool has_all = on_surface && !proxy_;
@@ -81,13 +82,13 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   }
 }
 
-BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
+weights::BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
   std::vector<std::size_t> vertices(count);
   std::iota(vertices.begin(), vertices.end(), begin);
   return bind_vertices(weigher_, model_.positions, row_, mask_, vertices);
 }
 
-std::vector<Vec3> ExactDeformer::ways(const Binding& part, const SharedShape& shape,
+std::vector<Vec3> ExactDeformer::ways(const weights::Binding& part, const weights::SharedShape& shape,
                                       std::size_t begin) const {
   if (!shape) return {};
   std::vector<Vec3> ways;
@@ -95,8 +96,8 @@ std::vector<Vec3> ExactDeformer::ways(const Binding& part, const SharedShape& sh
   return follower_ ? follower_->followed({part, part.shares}, ways) : ways;
 }
 
-double ExactDeformer::place(const Binding& part, const SharedShape& shape, std::size_t begin,
-                            std::span<mesh::Point> positions) {
+double ExactDeformer::place(const weights::Binding& part, const weights::SharedShape& shape,
+                            std::size_t begin, std::span<mesh::Point> positions) {
   const std::size_t columns = state_.rows().columns();
   if (!shares_.empty()) std::ranges::copy(part.shares, shares_.begin() + std::ptrdiff_t(begin));
   const auto sums = stitching_ ? std::span(sums_).subspan(begin * columns, positions.size() * columns)
@@ -106,7 +107,7 @@ double ExactDeformer::place(const Binding& part, const SharedShape& shape, std::
 }
 
 void ExactDeformer::stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const {
-  const Rows rows = state_.rows();
+  const pose::Rows rows = state_.rows();
   std::vector<Vec3> held;
   for (const auto& hold : stitching_->holds) held.push_back(positions[hold.vertex] - rows.origin);
   Stitcher stitcher(*stitching_, rows.form, pool_);
@@ -116,8 +117,8 @@ void ExactDeformer::stitch_positions(std::span<const Vec3> ways, std::span<mesh:
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
 }
 
-ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const SharedShape& shape,
-                                 base::Progress* progress) {
+ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& probes,
+                                 const weights::SharedShape& shape, base::Progress* progress) {
   state_.set_pose(pose);
   if (shape && ShapeFollower::is_for(scheme_)) {
     if (!follower_) follower_.emplace(cage_);
@@ -131,8 +132,8 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
   std::mutex mutex;  // protects done, failed and exp_error
   pool_.for_blocks(n, at_once, [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
-    BoundPart made;
-    BoundPart& bound = parts_.empty() ? made : parts_[begin / at_once];
+    weights::BoundPart made;
+    weights::BoundPart& bound = parts_.empty() ? made : parts_[begin / at_once];
     if (bound.binding.vertices == 0) bound = part(begin, count);
     const double error = place(bound.binding, shape, begin, std::span(exact.positions).subspan(begin, count));
     const std::lock_guard lock(mutex);
@@ -141,9 +142,9 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
     exact.exp_error = std::max(exact.exp_error, error);
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
   });
-  if (stitching_) stitch_positions(ways_of(shape, model_.positions), exact.positions);
+  if (stitching_) stitch_positions(weights::ways_of(shape, model_.positions), exact.positions);
   if (coarse_) {
-    SharedShape own;
+    weights::SharedShape own;
     if (shape) own = std::make_shared<std::vector<Vec3>>(coarse_model_->means(*shape, pool_));
     auto moves = coarse_->deform(pose, {}, own).positions;
     const auto means = coarse_model_->means(exact.positions, pool_);
@@ -152,14 +153,14 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
   }
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);
-  exact.warnings = weight_warnings(*cage_, scheme_.weighting.weights, failed, n);
+  exact.warnings = weights::weight_warnings(*cage_, scheme_.weighting.weights, failed, n);
   return exact;
 }
 
-ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
-                          const Pose& pose, sym3::Method method, base::WorkerPool& pool,
-                          base::Progress* progress, const Mask& mask, const Probes& probes,
-                          const SharedShape& shape) {
+ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
+                          const pose::Scheme& scheme, const pose::Pose& pose, sym3::Method method,
+                          base::WorkerPool& pool, base::Progress* progress, const weights::Mask& mask,
+                          const pose::Probes& probes, const weights::SharedShape& shape) {
   ExactDeformer deformer(model, std::move(cage), scheme, method, pool, ExactDeformer::Weights::dropped, mask,
                          progress);
   return deformer.deform(pose, probes, shape, progress);

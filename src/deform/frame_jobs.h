@@ -4,15 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "deform/leaves.h"
-#include "deform/rows.h"
+#include "pose/rows.h"
+#include "weights/leaves.h"
 
 namespace viete::deform {
-
-/// The number of vertices of a tile. For each quantity, a tile has one cache line (64 bytes).
-template <class T>
-inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
-inline constexpr std::size_t lanes = tile_lanes<float>;
 
 /// Consecutive tiles with one common table. All arrays are aligned to 64 bytes.
 struct TileRun {

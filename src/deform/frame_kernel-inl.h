@@ -23,7 +23,7 @@ constexpr int vectors_at_once = 2;
 constexpr int vectors_at_once = 1;
 #endif
 
-inline constexpr std::size_t line_lanes = tile_lanes<float>;
+inline constexpr std::size_t line_lanes = weights::tile_lanes<float>;
 using Tag = hn::CappedTag<float, line_lanes>;
 
 // Prefetch distance of weights, in cache lines. A row takes about 12 cycles, a memory access about 300.
@@ -223,7 +223,7 @@ static HWY_INLINE void store_positions(const Vector3& p, std::size_t group, floa
 // For each RowForm without moments, a functor that computes positions from the sums and from x or o of
 // RowForm.
 struct ByLogs {
-  static constexpr RowShape shape = log_shape;
+  static constexpr pose::RowShape shape = pose::log_shape;
 
   template <class D, class Column, class Rest, class Offset>
   HWY_INLINE auto operator()(D d, const Column& at, const Rest&, const Offset& offset) const {
@@ -236,7 +236,7 @@ struct ByLogs {
 };
 
 struct ByMaps {
-  static constexpr RowShape shape = map_shape;
+  static constexpr pose::RowShape shape = pose::map_shape;
 
   template <class D, class Column, class Rest, class Offset>
   HWY_INLINE auto operator()(D, const Column& at, const Rest& rest, const Offset&) const {
@@ -250,7 +250,7 @@ struct ByMaps {
 };
 
 struct ByPositions {
-  static constexpr RowShape shape = position_shape;
+  static constexpr pose::RowShape shape = pose::position_shape;
 
   template <class D, class Column, class Rest, class Offset>
   HWY_INLINE auto operator()(D, const Column& at, const Rest&, const Offset& offset) const {
@@ -261,7 +261,7 @@ struct ByPositions {
 
 template <class Move>
 static void place_tiles(const TileRun& run, const float* rest, const float* offsets, float* out) {
-  constexpr RowShape shape = Move::shape;
+  constexpr pose::RowShape shape = Move::shape;
   const Tag d;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
     Sums<shape.columns> s;

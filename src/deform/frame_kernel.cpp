@@ -15,25 +15,26 @@ HWY_BEFORE_NAMESPACE();
 
 namespace viete::deform::HWY_NAMESPACE {
 
-static constexpr TileKernel kernel_of(RowForm form) {
+static constexpr TileKernel kernel_of(pose::RowForm form) {
   switch (form) {
-    case RowForm::logs: return tile_kernel<ByLogs>();
-    case RowForm::maps: return tile_kernel<ByMaps>();
-    case RowForm::positions: return tile_kernel<ByPositions>();
-    case RowForm::affine_moments: return moment_kernel<AffineFit>();
-    case RowForm::similar_moments: return moment_kernel<SimilarFit>();
-    case RowForm::rigid_moments: return moment_kernel<RigidFit>();
+    case pose::RowForm::logs: return tile_kernel<ByLogs>();
+    case pose::RowForm::maps: return tile_kernel<ByMaps>();
+    case pose::RowForm::positions: return tile_kernel<ByPositions>();
+    case pose::RowForm::affine_moments: return moment_kernel<AffineFit>();
+    case pose::RowForm::similar_moments: return moment_kernel<SimilarFit>();
+    case pose::RowForm::rigid_moments: return moment_kernel<RigidFit>();
   }
   return {};
 }
 
 static constexpr FrameKernel make_frame() {
   FrameKernel made{{}, ring_vertices, ring_high_valence};
-  for (std::size_t form = 0; form < row_forms; ++form) made.forms[form] = kernel_of(RowForm(form));
+  for (std::size_t form = 0; form < pose::row_forms; ++form)
+    made.forms[form] = kernel_of(pose::RowForm(form));
   return made;
 }
 static constexpr FrameKernel frame = make_frame();
-static_assert(row_forms == std::size_t(RowForm::rigid_moments) + 1);
+static_assert(pose::row_forms == std::size_t(pose::RowForm::rigid_moments) + 1);
 
 }  // namespace viete::deform::HWY_NAMESPACE
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/maps.h"
 #include "deform/moments.h"
+#include "pose/maps.h"
 
 namespace viete::deform {
 
@@ -18,8 +18,8 @@ constexpr std::size_t skeleton_block = 256;  // slots per task
 
 void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* table) {
   for (std::size_t s = 0; s < slots; ++s) {
-    const float* from = sums + s / lanes * lanes * columns + s % lanes;
-    for (std::size_t c = 0; c < columns; ++c) table[s * columns + c] = from[c * lanes];
+    const float* from = sums + s / weights::lanes * weights::lanes * columns + s % weights::lanes;
+    for (std::size_t c = 0; c < columns; ++c) table[s * columns + c] = from[c * weights::lanes];
   }
 }
 
@@ -30,7 +30,7 @@ struct TileLines {
   std::size_t lines;
 
   T& at(std::size_t slot, std::size_t line) const {
-    return data[(slot / lanes * lines + line) * lanes + slot % lanes];
+    return data[(slot / weights::lanes * lines + line) * weights::lanes + slot % weights::lanes];
   }
   Vec3 three(std::size_t slot, std::size_t first) const {
     return {at(slot, first), at(slot, first + 1), at(slot, first + 2)};
@@ -44,7 +44,7 @@ struct TileLines {
 // slot's first three rest moments. With this table, the blend kernel computes
 //     sums 0 to 2: sum v * (p - near),    sum 3: sum v.
 void write_offset_rows(std::span<float> table) {
-  for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
+  for (std::size_t j = 0; j < table.size(); j += pose::moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
     table[j + 6] = table[j + 12] = 1;
   }
@@ -53,7 +53,7 @@ void write_offset_rows(std::span<float> table) {
 // Fills a table of moment rows. With v, p and `near` as in write_offset_rows(), the blend kernel computes
 //     sums 0 to 8: sum v * ((p - middle) * (p - near)^T + I), by rows.
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
-  for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
+  for (std::size_t j = 0; j < table.size(); j += pose::moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
     for (std::size_t i = 0; i < 3; ++i) table[j + 12 + i] = static_cast<float>(rows[j + i] - middle[i]);
   }
@@ -61,8 +61,8 @@ void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span
 
 }  // namespace
 
-FusedEngine::FusedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool,
-                         const sym3::Kernel& kernel)
+FusedEngine::FusedEngine(std::shared_ptr<const weights::Binding> binding, pose::RowForm form,
+                         base::WorkerPool& pool, const sym3::Kernel& kernel)
     : bound_(std::move(binding)),
       binding_(bound_->tiles),
       pool_(pool),
@@ -79,11 +79,11 @@ FusedEngine::FusedEngine(std::shared_ptr<const Binding> binding, RowForm form, b
   skeleton_table_.resize(binding_->skeleton_slots() * columns_);
   if (has_moments(form)) rest_moments_.resize(binding_->leaves.slot_count() * rest_moment_lines);
   positions_.resize(binding_->rings.position_count() * 4);
-  vertices_.assign(binding_->leaves.vertices, FrameVertex{});
+  vertices_.assign(binding_->leaves.vertices, pose::FrameVertex{});
   leaf_moved_.assign(binding_->leaves.count(), 1);
 }
 
-void FusedEngine::set_mask(const Mask& mask) {
+void FusedEngine::set_mask(const weights::Mask& mask) {
   shares_ = binding_->shares;
   drag_.placed = false;
   if (!mask) return;
@@ -103,9 +103,9 @@ void FusedEngine::set_shape(std::span<const Vec3> ways) {
 
 // Fills rest_, if the frame needs it.
 void FusedEngine::fill_rest() {
-  const bool needed = !shares_.empty() || form_ == RowForm::maps || has_moments(form_);
+  const bool needed = !shares_.empty() || form_ == pose::RowForm::maps || has_moments(form_);
   if (!needed || !rest_.empty()) return;
-  const VertexBlock block{.binding = *bound_, .ways = ways_};
+  const weights::VertexBlock block{.binding = *bound_, .ways = ways_};
   rest_.assign(binding_->offsets.size(), 0.0f);
   add(rest_, [&](std::uint32_t v) { return block.rest(v) - bound_->rest_origin; });
 }
@@ -116,24 +116,24 @@ std::size_t FusedEngine::bytes() const {
   return at_rest + sizeof(float) * (drag_.sums.size() + drag_.weights.size() + binding_->offsets.size());
 }
 
-void FusedEngine::run(const CageState& state, sym3::Method) {
+void FusedEngine::run(const pose::CageState& state, sym3::Method) {
   base::Stopwatch watch;
   prepare(state);
   place_vertices();
-  times_[Link::fused] = watch.lap_ms() - times_[Link::skeleton];
+  times_[pose::Link::fused] = watch.lap_ms() - times_[pose::Link::skeleton];
   finish(watch);
 }
 
 void FusedEngine::finish(base::Stopwatch& watch) {
   if (layer_) {
     move_by_probes();
-    times_[Link::probes] = watch.lap_ms();
+    times_[pose::Link::probes] = watch.lap_ms();
   }
   compute_normals();
-  times_[Link::normals] += watch.lap_ms();
+  times_[pose::Link::normals] += watch.lap_ms();
 }
 
-void FusedEngine::prepare(const CageState& state) {
+void FusedEngine::prepare(const pose::CageState& state) {
   times_ = {};
   base::Stopwatch watch;
   if (!std::ranges::equal(state.moving(), drag_.moving)) drag_ = {};
@@ -144,40 +144,41 @@ void FusedEngine::prepare(const CageState& state) {
   follow_drag(state);
   if (!binding_->compressed() || dragging_) return;
   blend_skeleton(table_.data());
-  times_[Link::skeleton] = watch.lap_ms();
+  times_[pose::Link::skeleton] = watch.lap_ms();
 }
 
-void FusedEngine::blend(const CageState& state, std::span<double> sums) {
+void FusedEngine::blend(const pose::CageState& state, std::span<double> sums) {
   base::Stopwatch watch;
   prepare(state);
-  const RowShape& rows = shape(form_);
+  const pose::RowShape& rows = shape(form_);
   for_leaves([&](std::size_t leaf) {
     const std::size_t begin = binding_->leaves.begin(leaf), end = binding_->leaves.end(leaf);
     base::AlignedVector<float> leaf_sums((end - begin) * columns_);
     tiles_.blend(frame_run(leaf), leaf_sums.data());
     for (std::size_t slot = begin; slot < std::min(end, binding_->leaves.vertices); ++slot) {
       const std::size_t s = slot - begin;
-      const float* from = leaf_sums.data() + s / lanes * lanes * columns_ + s % lanes;
+      const float* from =
+          leaf_sums.data() + s / weights::lanes * weights::lanes * columns_ + s % weights::lanes;
       double* to = sums.data() + binding_->leaves.order[slot] * columns_;
       for (std::size_t c = 0; c < columns_; ++c) {
         const double mean = c < rows.with_mean ? static_cast<double>(mean_[c]) : 0;
-        to[c] = (from[c * lanes] + mean) * (c < rows.first_length ? 1 : binding_->unit);
+        to[c] = (from[c * weights::lanes] + mean) * (c < rows.first_length ? 1 : binding_->unit);
       }
       if (!shares_.empty()) share(slot, to);
     }
   });
-  times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
+  times_[pose::Link::blend] = watch.lap_ms() - times_[pose::Link::skeleton];
 }
 
 // Applies the share of a slot to the sums of this slot, see apply_shares().
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
-  const float* rest = rest_.data() + slot / lanes * lanes * 3 + slot % lanes;
+  const float* rest = rest_.data() + slot / weights::lanes * weights::lanes * 3 + slot % weights::lanes;
   for (std::size_t c = 0; c < columns_; ++c) {
     sums[c] *= share;
     if (c >= center)
-      sums[c] += (1 - share) * binding_->unit * static_cast<double>(rest[(c - center) * lanes]);
+      sums[c] += (1 - share) * binding_->unit * static_cast<double>(rest[(c - center) * weights::lanes]);
   }
 }
 
@@ -194,11 +195,11 @@ void FusedEngine::show(std::span<const Vec3> positions) {
     }
   });
   drag_.placed = false;
-  times_[Link::normals] = watch.lap_ms();
+  times_[pose::Link::normals] = watch.lap_ms();
   finish(watch);
 }
 
-void FusedEngine::fill_table(const Rows& rows) {
+void FusedEngine::fill_table(const pose::Rows& rows) {
   const double scale = 1 / binding_->unit;
   const std::size_t first_length = shape(form_).first_length;
   for (std::size_t j = 0; j < entries_.size(); j += columns_) {
@@ -212,8 +213,8 @@ void FusedEngine::fill_table(const Rows& rows) {
   }
 }
 
-void FusedEngine::fill_rest_moments(const Rows& rows) {
-  const TiledBinding& b = *binding_;
+void FusedEngine::fill_rest_moments(const pose::Rows& rows) {
+  const weights::TiledBinding& b = *binding_;
   for_leaves([&](std::size_t leaf) { fill_rest_moments(leaf, b.unit / rows.moment_length); });
   knows_rest_ = true;
 }
@@ -221,7 +222,7 @@ void FusedEngine::fill_rest_moments(const Rows& rows) {
 // Computes the rest moments of a leaf, with three runs of the blend kernel: for the weighted mean of the
 // handles' centres, for the rounding error of this mean, and for the matrix of rest_moment().
 void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
   base::AlignedVector<float> own(slots * sums_), table = table_;
   const TileLines<float> moments{rest_moments_.data() + begin * rest_moment_lines, rest_moment_lines};
@@ -264,7 +265,7 @@ void FusedEngine::choose_mean() {
 }
 
 // Decides whether this frame uses cached sums. If so, copies the rows of the moving handles.
-void FusedEngine::follow_drag(const CageState& state) {
+void FusedEngine::follow_drag(const pose::CageState& state) {
   const Handles moving = state.moving();
   dragging_ = false;
   if (moving.empty()) return;
@@ -283,7 +284,7 @@ void FusedEngine::follow_drag(const CageState& state) {
 
 // True if a frame from all factors reads less than a frame from cached sums and weights of moving handles.
 bool FusedEngine::few_factors(std::size_t moving) const {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   return b.compressed() && b.factor_count() + b.skeleton.size() < b.leaves.slot_count() * (sums_ + moving);
 }
 
@@ -299,14 +300,14 @@ void FusedEngine::begin_drag(Handles moving) {
   for_leaves([&](std::size_t leaf) {
     if (drag_.row_count(leaf) == 0) return;
     tiles_.blend(leaf_run(leaf, others.data()), drag_.sums.data() + binding_->leaves.begin(leaf) * sums_);
-    base::AlignedVector<float> scratch(leaf_slots * columns_);
+    base::AlignedVector<float> scratch(weights::leaf_slots * columns_);
     pack_weights(leaf, scratch.data());
   });
 }
 
 // For each leaf, lists the moving handles that have weights there. Returns the total number of these weights.
 std::size_t FusedEngine::list_moving() {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   drag_.starts = {0};
   std::size_t weights = 0;
   for (std::size_t leaf = 0; leaf < b.leaves.count(); ++leaf) {
@@ -321,17 +322,18 @@ std::size_t FusedEngine::list_moving() {
 }
 
 void FusedEngine::pack_whole(std::size_t leaf) {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   const auto list = b.has_lists() ? b.list(leaf) : std::span<const std::uint32_t>();
   const std::size_t count = drag_.row_count(leaf), rows = b.has_lists() ? list.size() : b.handles;
   const float* from = b.weights.data() + b.first_weight(leaf);
-  float* out = drag_.weights.data() + leaf_slots * drag_.starts[leaf];
+  float* out = drag_.weights.data() + weights::leaf_slots * drag_.starts[leaf];
   for (std::size_t m = 0; m < count; ++m) {
     const auto handle = drag_.moving[drag_.listed[drag_.starts[leaf] + m]];
     const auto row = b.has_lists() ? std::size_t(std::ranges::lower_bound(list, handle) - list.begin())
                                    : std::size_t(handle);
-    for (std::size_t t = 0; t < (b.leaves.end(leaf) - b.leaves.begin(leaf)) / lanes; ++t) {
-      std::copy_n(from + (t * rows + row) * lanes, lanes, out + (t * count + m) * lanes);
+    for (std::size_t t = 0; t < (b.leaves.end(leaf) - b.leaves.begin(leaf)) / weights::lanes; ++t) {
+      std::copy_n(from + (t * rows + row) * weights::lanes, weights::lanes,
+                  out + (t * count + m) * weights::lanes);
     }
   }
 }
@@ -340,9 +342,9 @@ void FusedEngine::pack_whole(std::size_t leaf) {
 // blend kernel multiplies the leaf's factors by the pivots' weights of the moving handles. Each call of the
 // kernel processes as many handles as a row has columns.
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   if (!b.compressed()) return pack_whole(leaf);
-  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
+  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / weights::lanes;
   const std::size_t count = drag_.row_count();
   TileRun run = leaf_run(leaf, nullptr);
   base::AlignedVector<float> pivots(run.rows * columns_);
@@ -350,7 +352,8 @@ void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const auto pivot_weight = [&](std::size_t row, std::size_t handle) -> float {
     if (!factored) return row == handle;  // a dense leaf stores all weights
     const std::size_t slot = b.factored[leaf].pivots + row;
-    return b.skeleton[slot / lanes * lanes * b.handles + handle * lanes + slot % lanes];
+    return b.skeleton[slot / weights::lanes * weights::lanes * b.handles + handle * weights::lanes +
+                      slot % weights::lanes];
   };
   float* const out = drag_.weights.data() + begin * count;
   for (std::size_t m = 0; m < count; m += columns_) {
@@ -362,23 +365,25 @@ void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
     run.table = pivots.data();
     tiles_.blend(run, scratch);
     for (std::size_t t = 0; t < tiles; ++t)
-      std::copy_n(scratch + t * columns_ * lanes, at_once * lanes, out + (t * count + m) * lanes);
+      std::copy_n(scratch + t * columns_ * weights::lanes, at_once * weights::lanes,
+                  out + (t * count + m) * weights::lanes);
   }
 }
 
 void FusedEngine::blend_skeleton(const float* table) {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   pool_.for_blocks(b.skeleton_slots(), skeleton_block, [&](std::size_t begin, std::size_t end) {
     float* sums = skeleton_sums_.data() + begin * columns_;
-    tiles_.blend({(end - begin) / lanes, b.handles, b.skeleton.data() + begin * b.handles, table, nullptr},
-                 sums);
+    tiles_.blend(
+        {(end - begin) / weights::lanes, b.handles, b.skeleton.data() + begin * b.handles, table, nullptr},
+        sums);
     to_rows(sums, end - begin, columns_, skeleton_table_.data() + begin * columns_);
   });
 }
 
 TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
-  const TiledBinding& b = *binding_;
-  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
+  const weights::TiledBinding& b = *binding_;
+  const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / weights::lanes;
   if (!b.compressed()) {
     const float* weights = b.weights.data() + b.first_weight(leaf);
     const float* moments = rest_moments_.empty() ? nullptr : rest_moments_.data() + begin * rest_moment_lines;
@@ -389,7 +394,7 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
             .listed = b.has_lists() ? b.list(leaf).data() : nullptr,
             .rest_moments = moments};
   }
-  const LeafFactors& f = b.factored[leaf];
+  const weights::LeafFactors& f = b.factored[leaf];
   const float* rows = f.dense ? table : skeleton_table_.data() + f.pivots * columns_;
   return {tiles, f.rank, b.factors_of(leaf), rows, nullptr};
 }
@@ -402,7 +407,7 @@ TileRun FusedEngine::frame_run(std::size_t leaf) const {
   const std::size_t start = drag_.starts[leaf];
   return {.tiles = run.tiles,
           .rows = drag_.row_count(leaf),
-          .weights = drag_.weights.data() + leaf_slots * start,
+          .weights = drag_.weights.data() + weights::leaf_slots * start,
           .table = drag_.rows.data(),
           .base = drag_.sums.data() + binding_->leaves.begin(leaf) * sums_,
           .listed = drag_.listed.data() + start,
@@ -410,7 +415,7 @@ TileRun FusedEngine::frame_run(std::size_t leaf) const {
 }
 
 void FusedEngine::place_vertices() {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   // If probes move positions in this frame, the next frame must recompute all positions.
   const bool placed = dragging_ && std::exchange(drag_.placed, !layer_);
   for_leaves([&](std::size_t leaf) {
@@ -426,28 +431,28 @@ void FusedEngine::place_vertices() {
 }
 
 void FusedEngine::move_by_probes() {
-  const TiledBinding& b = *binding_;
+  const weights::TiledBinding& b = *binding_;
   const auto first = [&](std::size_t leaf) {
     return positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]);
   };
   if (slots_.empty()) slots_ = slots_of(b.leaves);
   std::vector<Vec3> anchors;
   for (const auto v : layer_->anchors()) {
-    const std::size_t slot = slots_[v], leaf = slot / leaf_slots;
+    const std::size_t slot = slots_[v], leaf = slot / weights::leaf_slots;
     const float* p = first(leaf) + 4 * (slot - b.leaves.begin(leaf));
     anchors.push_back(b.unit * Vec3{p[0], p[1], p[2]});
   }
   layer_->carry(anchors, origin_);
   probes_.follow(*layer_, b.leaves, pool_);
-  const TileKernel& logs = kernel_.forms[static_cast<std::size_t>(RowForm::logs)];
+  const TileKernel& logs = kernel_.forms[static_cast<std::size_t>(pose::RowForm::logs)];
   for_leaves([&](std::size_t leaf) {
     if (probes_.moves(*layer_, leaf)) probes_.move(*layer_, leaf, logs, b.unit, first(leaf));
   });
 }
 
 void FusedEngine::compute_normals() {
-  const TiledBinding& b = *binding_;
-  const Rings& r = b.rings;
+  const weights::TiledBinding& b = *binding_;
+  const weights::Rings& r = b.rings;
   for_leaves([&](std::size_t leaf) {
     const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
     const std::size_t first = r.position_starts[leaf];
@@ -455,7 +460,7 @@ void FusedEngine::compute_normals() {
                            std::min(slots, b.leaves.vertices - begin), leaf_moved_[leaf] != 0,
                            r.ghosts.data() + (first - begin), r.ghosts.size() - (first - begin),
                            b.leaves.order.data() + begin, r.neighbours.data() + r.neighbour_starts[leaf],
-                           r.lengths.data() + begin / ring_group, static_cast<float>(b.unit)},
+                           r.lengths.data() + begin / weights::ring_group, static_cast<float>(b.unit)},
                           vertices_.data());
   });
   for (const auto& vertex : r.high_valence) {
@@ -473,10 +478,12 @@ void FusedEngine::for_leaves(const Body& body) {
 template <class OfVertex>
 void FusedEngine::add(base::AlignedVector<float>& array, const OfVertex& vector) {
   const TileLines<float> lines{array.data(), 3};
-  pool_.for_blocks(binding_->leaves.slot_count(), leaf_slots, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot)
-      lines.set(slot, 0, lines.three(slot, 0) + (1 / binding_->unit) * vector(binding_->leaves.order[slot]));
-  });
+  pool_.for_blocks(
+      binding_->leaves.slot_count(), weights::leaf_slots, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin; slot < end; ++slot)
+          lines.set(slot, 0,
+                    lines.three(slot, 0) + (1 / binding_->unit) * vector(binding_->leaves.order[slot]));
+      });
 }
 
 }  // namespace viete::deform

@@ -9,7 +9,7 @@
 #include "deform/engine.h"
 #include "deform/frame_kernel.h"
 #include "deform/probe_layer.h"
-#include "deform/tiled_binding.h"
+#include "weights/tiled_binding.h"
 
 namespace viete::deform {
 
@@ -30,17 +30,17 @@ namespace viete::deform {
 class FusedEngine : public Engine {
 public:
   /// `binding` must have tiles.
-  FusedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool,
+  FusedEngine(std::shared_ptr<const weights::Binding> binding, pose::RowForm form, base::WorkerPool& pool,
               const sym3::Kernel& kernel = sym3::kernel());
 
-  void set_mask(const Mask& mask) override;
+  void set_mask(const weights::Mask& mask) override;
   void set_shape(std::span<const Vec3> ways) override;
   /// Always uses method `fast`.
-  void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
-  std::span<const FrameVertex> vertices() const override { return vertices_; }
+  void run(const pose::CageState& state, sym3::Method method = sym3::Method::fast) override;
+  std::span<const pose::FrameVertex> vertices() const override { return vertices_; }
   /// First half of a frame: writes each vertex's sums of rows, multiplied by its share, to sums
   /// [vertex][column] in file order. Lengths have the unit of the rows.
-  void blend(const CageState& state, std::span<double> sums);
+  void blend(const pose::CageState& state, std::span<double> sums);
   /// Second half of a frame: fills vertices() from positions relative to the origin of the rows.
   void show(std::span<const Vec3> positions);
   /// Returns true if the last frame used cached sums and added only the moved handles.
@@ -54,13 +54,13 @@ private:
   const base::AlignedVector<float>& offsets() const {
     return offsets_.empty() ? binding_->offsets : offsets_;
   }
-  void prepare(const CageState& state);
-  void fill_table(const Rows& rows);
+  void prepare(const pose::CageState& state);
+  void fill_table(const pose::Rows& rows);
   void fill_rest();
-  void fill_rest_moments(const Rows& rows);
+  void fill_rest_moments(const pose::Rows& rows);
   void fill_rest_moments(std::size_t leaf, double unit);
   void choose_mean();
-  void follow_drag(const CageState& state);
+  void follow_drag(const pose::CageState& state);
   bool few_factors(std::size_t moving) const;
   void begin_drag(Handles moving);
   std::size_t list_moving();
@@ -83,22 +83,22 @@ private:
     return table.begin() + static_cast<std::ptrdiff_t>(handle * columns_);
   }
 
-  std::shared_ptr<const Binding> bound_;
-  std::shared_ptr<const TiledBinding> binding_;
+  std::shared_ptr<const weights::Binding> bound_;
+  std::shared_ptr<const weights::TiledBinding> binding_;
   base::WorkerPool& pool_;
   const FrameKernel& kernel_;
   const TileKernel& tiles_;  // the functions for form_
-  RowForm form_;
-  std::size_t columns_, sums_;                 // columns_: columns of a row; sums_: sums per vertex
-  std::vector<double> entries_;                // [handle][column], lengths divided by the binding's unit
-  base::AlignedVector<float> table_;           // [handle][column], entries_ minus mean_
-  std::array<float, most_columns> mean_{};     // [column]
-  base::AlignedVector<float> rest_moments_;    // only for moment forms, see TileRun
-  bool knows_rest_ = false;                    // true after rest_moments_ were computed
-  base::AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
-  base::AlignedVector<float> skeleton_table_;  // [pivot][column]
-  base::AlignedVector<float> positions_;       // slots and ghosts as x y z x, see Rings
-  base::AlignedVector<FrameVertex> vertices_;
+  pose::RowForm form_;
+  std::size_t columns_, sums_;                    // columns_: columns of a row; sums_: sums per vertex
+  std::vector<double> entries_;                   // [handle][column], lengths divided by the binding's unit
+  base::AlignedVector<float> table_;              // [handle][column], entries_ minus mean_
+  std::array<float, pose::most_columns> mean_{};  // [column]
+  base::AlignedVector<float> rest_moments_;       // only for moment forms, see TileRun
+  bool knows_rest_ = false;                       // true after rest_moments_ were computed
+  base::AlignedVector<float> skeleton_sums_;      // [tile][column][lane]
+  base::AlignedVector<float> skeleton_table_;     // [pivot][column]
+  base::AlignedVector<float> positions_;          // slots and ghosts as x y z x, see Rings
+  base::AlignedVector<pose::FrameVertex> vertices_;
   base::AlignedVector<float> shares_;   // [slot]; empty: all 1
   std::span<const Vec3> ways_;          // displacements of the shape
   base::AlignedVector<float> offsets_;  // the binding's offsets plus the shape; empty without a shape

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "deform/maps.h"
+#include "pose/maps.h"
 #include "sym3/polar.h"
 #include "sym3/small_matrices.h"
 
@@ -39,7 +39,7 @@ struct Means {
 Means means(std::span<const double> weights, const double* table) {
   Means m;
   for (std::size_t j = 0; j < weights.size(); ++j) {
-    const double* row = table + j * moment_shape.columns;
+    const double* row = table + j * pose::moment_shape.columns;
     const double v = std::max(weights[j], 0.0);
     m.weight += v;
     m.rest = m.rest + v * vector_at(row);
@@ -59,7 +59,7 @@ struct Moments {
 Moments moments(std::span<const double> weights, const double* table, const Means& means) {
   Moments sum;
   for (std::size_t j = 0; j < weights.size(); ++j) {
-    const double* row = table + j * moment_shape.columns;
+    const double* row = table + j * pose::moment_shape.columns;
     const double v = std::max(weights[j], 0.0);
     const Vec3 p = vector_at(row) - means.rest;
     add_moment(v, vector_at(row + 12) - means.posed, p, sum.posed);
@@ -71,19 +71,20 @@ Moments moments(std::span<const double> weights, const double* table, const Mean
 }
 
 // Returns M * o for the offset o.
-Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) {
-  if (form == RowForm::affine_moments) return times(moments.posed, solve(moments.rest, (1 / length) * o));
+Vec3 fitted(pose::RowForm form, const Moments& moments, const Vec3& o, double length) {
+  if (form == pose::RowForm::affine_moments)
+    return pose::times(moments.posed, solve(moments.rest, (1 / length) * o));
   const auto [rotation, stretch] = sym3::polar(moments.posed);
-  const Vec3 turned = times(rotation, o);
-  if (form == RowForm::rigid_moments) return turned;
+  const Vec3 turned = pose::times(rotation, o);
+  if (form == pose::RowForm::rigid_moments) return turned;
   return (stretch.xx + stretch.yy + stretch.zz) / (length * sym3::trace(moments.rest)) * turned;
 }
 
 }  // namespace
 
-void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
-                      std::span<mesh::Point> positions) {
-  const Binding& binding = block.binding;
+void place_by_moments(const weights::VertexBlock& block, const pose::Rows& rows, std::size_t begin,
+                      std::size_t end, std::span<mesh::Point> positions) {
+  const weights::Binding& binding = block.binding;
   for (std::size_t i = begin; i < end; ++i) {
     positions[i] = block.rest(i);
     const double share = block.share(i);

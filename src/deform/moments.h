@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <span>
 
-#include "deform/binding.h"
-#include "deform/cage_state.h"
+#include "pose/cage_state.h"
+#include "weights/binding.h"
 
 namespace viete::deform {
+
+using mesh::Vec3;
 
 /// Computes the positions of the vertices [begin, end) in double. The rows must have a moment form. The
 /// cage's points p move to p'. A vertex x has one weight w per point; the weights sum to 1. v = max(w, 0) are
@@ -30,8 +32,8 @@ namespace viete::deform {
 ///
 /// Negative (biharmonic) weights affect only the sums of w * p and w * p'. In K, negative weights could
 /// cancel other weights. Shares scale the displacements. Each vertex is independent of other vertices.
-void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
-                      std::span<mesh::Point> positions);
+void place_by_moments(const weights::VertexBlock& block, const pose::Rows& rows, std::size_t begin,
+                      std::size_t end, std::span<mesh::Point> positions);
 
 /// Rest data of one vertex for the fused engine. To avoid cancellation, this engine computes B with a point n
 /// near m in place of m, because a float cannot be exactly m:

@@ -27,7 +27,7 @@ static HWY_INLINE void add_moments(const TileRun& run, std::size_t group, V (&s)
   const V near[3] = {hn::Load(d, rest), hn::Load(d, rest + line_lanes), hn::Load(d, rest + 2 * line_lanes)};
   const float* weights = run.weights + index_of(group, run.rows);
   for (std::size_t j = 0; j < run.rows; ++j) {
-    const float* row = run.table + moment_shape.columns * (Listed ? run.listed[j] : j);
+    const float* row = run.table + pose::moment_shape.columns * (Listed ? run.listed[j] : j);
     const float *map = row + 3, *posed = row + 12;
     hwy::Prefetch(weights + (j + lines_ahead) * line_lanes);
     const V w = hn::Load(d, weights + j * line_lanes);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "deform/maps.h"
-#include "deform/rows.h"
+#include "pose/maps.h"
+#include "pose/rows.h"
 
 namespace viete::deform {
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t weighed_at_once = 1024;
 
-bool same_weights(const Probes& a, const Probes& b) {
-  return a.mix == b.mix && std::ranges::equal(a.all, b.all, [](const Probe& p, const Probe& q) {
+bool same_weights(const pose::Probes& a, const pose::Probes& b) {
+  return a.mix == b.mix && std::ranges::equal(a.all, b.all, [](const pose::Probe& p, const pose::Probe& q) {
            return p.place == q.place && p.pin == q.pin && p.turn == q.turn && p.stretch == q.stretch &&
                   p.move == q.move;
          });
@@ -27,9 +27,9 @@ struct ProbeSum {
 
 }  // namespace
 
-void ProbeLayer::set(const Probes& probes, const Mask& mask) {
+void ProbeLayer::set(const pose::Probes& probes, const weights::Mask& mask) {
   std::vector<bool> posed;
-  for (const Probe& p : probes.all) posed.push_back(!p.pin && p.pose != ProbePose{});
+  for (const pose::Probe& p : probes.all) posed.push_back(!p.pin && p.pose != pose::ProbePose{});
   const bool same = same_weights(probes_, probes) && posed_ == posed;
   if (!same || mask_ != mask) ++revision_;
   mask_ = mask;
@@ -54,13 +54,13 @@ void ProbeLayer::weigh() {
 
 // If all probes near the block are at rest, stores no shares. Many resting probes then need no memory.
 void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
-  std::vector<ProbeWeights> weights(probes_.all.size());
+  std::vector<pose::ProbeWeights> weights(probes_.all.size());
   bool moves = false;
   block.starts.push_back(0);
   for (std::size_t v = begin; v < end; ++v) {
     probe_weights(probes_, rest_[v], weights);
     for (std::uint32_t i = 0; i < weights.size(); ++i) {
-      const ProbeWeights& w = weights[i];
+      const pose::ProbeWeights& w = weights[i];
       if (!(w.turn > 0 || w.stretch > 0 || w.move > 0)) continue;
       block.shares.push_back({i, w});
       moves |= posed_[i];
@@ -73,7 +73,7 @@ void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
 void ProbeLayer::find_anchors() {
   anchors_.clear(), from_anchors_.clear(), places_.clear();
   origin_ = {0, 0, 0};
-  for (const Probe& probe : probes_.all) {
+  for (const pose::Probe& probe : probes_.all) {
     const auto nearest = std::ranges::min_element(
         rest_, {}, [&](const mesh::Point& x) { return squared_norm(x - probe.place); });
     anchors_.push_back(static_cast<std::uint32_t>(nearest - rest_.begin()));
@@ -97,19 +97,19 @@ std::vector<mesh::Point> ProbeLayer::places() const {
   const std::size_t count = places_.size();
   std::vector<mesh::Point> places;
   for (std::size_t i = 0; i < count; ++i) {
-    ProbePose sum;
+    pose::ProbePose sum;
     Vec3 pivot{0, 0, 0};
     for (std::size_t j = 0; j < count; ++j) {
-      const ProbeWeights& w = at_places_[i * count + j];
+      const pose::ProbeWeights& w = at_places_[i * count + j];
       pivot = pivot + w.pivot * places_[j];
       if (j == i) continue;
-      const ProbePose& pose = probes_.all[j].pose;
-      sum.stretch = plus(sum.stretch, w.stretch, pose.stretch);
+      const pose::ProbePose& pose = probes_.all[j].pose;
+      sum.stretch = pose::plus(sum.stretch, w.stretch, pose.stretch);
       sum.turn = sum.turn + w.turn * pose.turn;
       sum.move = sum.move + w.move * pose.move;
     }
     const Vec3 from = places_[i] - pivot;
-    places.push_back(origin_ + (places_[i] + (times(linear_part(sum), from) - from) + sum.move));
+    places.push_back(origin_ + (places_[i] + (pose::times(linear_part(sum), from) - from) + sum.move));
   }
   return places;
 }
@@ -125,8 +125,8 @@ void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> p
     ProbeSum& sum = sums.emplace_back(ProbeSum{i});
     sym3::Sym3<double>& log = logs.emplace_back();
     for (const auto& [p, w] : of_vertex) {
-      const ProbePose& pose = probes_.all[p].pose;
-      log = plus(log, share * w.stretch, pose.stretch);
+      const pose::ProbePose& pose = probes_.all[p].pose;
+      log = pose::plus(log, share * w.stretch, pose.stretch);
       sum.turn = sum.turn + share * w.turn * pose.turn;
       sum.move = sum.move + share * w.move * pose.move;
       sum.pivot = sum.pivot + w.pivot * places_[p];
@@ -140,10 +140,10 @@ void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> p
     const Vec3 from = x - sums[n].pivot;
     auto more = stretches[n];  // S - I; exactly 0 without motion
     more.xx -= none.xx, more.yy -= none.yy, more.zz -= none.zz;
-    const Vec3 stretch = times(more, from), stretched = from + stretch;
+    const Vec3 stretch = pose::times(more, from), stretched = from + stretch;
     auto r = sym3::exp_rotation(sums[n].turn);
     for (const int i : {0, 4, 8}) r[i] -= 1;
-    x = x + (stretch + times(r, stretched) + sums[n].move);
+    x = x + (stretch + pose::times(r, stretched) + sums[n].move);
   }
 }
 
@@ -167,8 +167,8 @@ void write(const Vec3& v, double scale, float* row) {
 }
 
 // Writes rows of RowForm::logs. Lengths are multiples of unit.
-void write_rows(const ProbePose& pose, const Vec3& place, double unit, float* rows) {
-  constexpr std::size_t columns = log_shape.columns, turn = 6, center = log_shape.center;
+void write_rows(const pose::ProbePose& pose, const Vec3& place, double unit, float* rows) {
+  constexpr std::size_t columns = pose::log_shape.columns, turn = 6, center = pose::log_shape.center;
   const auto& x = pose.stretch;
   float* stretch = rows + stretch_row * columns;
   for (const double entry : {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz}) *stretch++ = static_cast<float>(entry);
@@ -180,22 +180,22 @@ void write_rows(const ProbePose& pose, const Vec3& place, double unit, float* ro
 // Writes x - p for one tile to offsets[3][lane]. x are the positions, and p are the pivots.
 void subtract_pivots(const float* weights, std::span<const float> table, const float* positions,
                      float* offsets) {
-  constexpr std::size_t columns = log_shape.columns;
-  for (std::size_t l = 0; l < lanes; ++l) {
-    for (std::size_t i = 0; i < 3; ++i) offsets[i * lanes + l] = positions[4 * l + i];
+  constexpr std::size_t columns = pose::log_shape.columns;
+  for (std::size_t l = 0; l < weights::lanes; ++l) {
+    for (std::size_t i = 0; i < 3; ++i) offsets[i * weights::lanes + l] = positions[4 * l + i];
   }
   for (std::size_t row = pivot_row; row * columns < table.size(); row += rows_per_probe) {
-    const float* place = table.data() + row * columns + log_shape.center;
-    const float* w = weights + row * lanes;
+    const float* place = table.data() + row * columns + pose::log_shape.center;
+    const float* w = weights + row * weights::lanes;
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t l = 0; l < lanes; ++l) offsets[i * lanes + l] -= w[l] * place[i];
+      for (std::size_t l = 0; l < weights::lanes; ++l) offsets[i * weights::lanes + l] -= w[l] * place[i];
     }
   }
 }
 
 }  // namespace
 
-void ProbeTiles::follow(const ProbeLayer& layer, const Leaves& leaves, base::WorkerPool& pool) {
+void ProbeTiles::follow(const ProbeLayer& layer, const weights::Leaves& leaves, base::WorkerPool& pool) {
   if (revision_ == layer.revision() && leaves_.size() == leaves.count()) return;
   revision_ = layer.revision();
   leaves_.assign(leaves.count(), {});
@@ -212,42 +212,42 @@ void ProbeTiles::weigh(const ProbeLayer& layer, std::span<const std::uint32_t> v
   }
   std::ranges::sort(probes);
   probes.erase(std::unique(probes.begin(), probes.end()), probes.end());
-  leaf.tiles = vertices.size() / lanes;
+  leaf.tiles = vertices.size() / weights::lanes;
   const std::size_t rows = rows_per_probe * probes.size();
   leaf.weights.assign(vertices.size() * rows, 0.0f);
   for (std::size_t s = 0; s < vertices.size(); ++s) {
     const double follows = layer.follows(vertices[s]);
-    float* tile = leaf.weights.data() + s / lanes * lanes * rows + s % lanes;
+    float* tile = leaf.weights.data() + s / weights::lanes * weights::lanes * rows + s % weights::lanes;
     for (const auto& [probe, w] : layer.shares(vertices[s])) {
       const auto place = static_cast<std::size_t>(std::ranges::lower_bound(probes, probe) - probes.begin());
-      float* own = tile + rows_per_probe * place * lanes;
-      own[stretch_row * lanes] = static_cast<float>(follows * w.stretch);
-      own[turn_row * lanes] = static_cast<float>(follows * w.turn);
-      own[move_row * lanes] = static_cast<float>(follows * w.move);
-      own[pivot_row * lanes] = static_cast<float>(w.pivot);
+      float* own = tile + rows_per_probe * place * weights::lanes;
+      own[stretch_row * weights::lanes] = static_cast<float>(follows * w.stretch);
+      own[turn_row * weights::lanes] = static_cast<float>(follows * w.turn);
+      own[move_row * weights::lanes] = static_cast<float>(follows * w.move);
+      own[pivot_row * weights::lanes] = static_cast<float>(w.pivot);
     }
   }
 }
 
 bool ProbeTiles::moves(const ProbeLayer& layer, std::size_t leaf) const {
   return std::ranges::any_of(leaves_[leaf].probes,
-                             [&](auto p) { return layer.probes().all[p].pose != ProbePose{}; });
+                             [&](auto p) { return layer.probes().all[p].pose != pose::ProbePose{}; });
 }
 
 void ProbeTiles::move(const ProbeLayer& layer, std::size_t leaf, const TileKernel& logs, double unit,
                       float* positions) const {
   const Leaf& own = leaves_[leaf];
   const std::size_t rows = rows_per_probe * own.probes.size();
-  std::vector<float> table(rows * log_shape.columns);
+  std::vector<float> table(rows * pose::log_shape.columns);
   for (std::size_t i = 0; i < own.probes.size(); ++i) {
     const auto p = own.probes[i];
     write_rows(layer.probes().all[p].pose, layer.carried()[p], unit,
-               table.data() + rows_per_probe * i * log_shape.columns);
+               table.data() + rows_per_probe * i * pose::log_shape.columns);
   }
-  base::AlignedVector<float> offsets(own.tiles * lanes * 3);
+  base::AlignedVector<float> offsets(own.tiles * weights::lanes * 3);
   for (std::size_t t = 0; t < own.tiles; ++t) {
-    subtract_pivots(own.weights.data() + t * lanes * rows, table, positions + 4 * t * lanes,
-                    offsets.data() + t * lanes * 3);
+    subtract_pivots(own.weights.data() + t * weights::lanes * rows, table, positions + 4 * t * weights::lanes,
+                    offsets.data() + t * weights::lanes * 3);
   }
   TileRun run{};
   run.tiles = own.tiles, run.rows = rows, run.weights = own.weights.data(), run.table = table.data();

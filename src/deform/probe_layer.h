@@ -7,13 +7,15 @@
 
 #include "base/memory.h"
 #include "base/worker_pool.h"
-#include "deform/binding.h"
 #include "deform/frame_kernel.h"
-#include "deform/leaves.h"
-#include "deform/probe.h"
+#include "pose/probe.h"
 #include "sym3/exp.h"
+#include "weights/binding.h"
+#include "weights/leaves.h"
 
 namespace viete::deform {
+
+using mesh::Vec3;
 
 /// Applies probes to a deformed model or to the model at rest. Moves a vertex at the position x to
 ///
@@ -30,15 +32,15 @@ public:
 
   /// Changes the probes and the mask of the next frames. The mask has one share per vertex, or is null. Takes
   /// O(n) time if weights or the set of probes at rest change, otherwise O(1).
-  void set(const Probes& probes, const Mask& mask);
-  const Probes& probes() const { return probes_; }
+  void set(const pose::Probes& probes, const weights::Mask& mask);
+  const pose::Probes& probes() const { return probes_; }
   /// Returns true if some probe is not at rest.
   bool moves() const { return moves_; }
   /// Increases each time the weights or the mask change.
   unsigned long revision() const { return revision_; }
   struct Share {
     std::uint32_t probe;
-    ProbeWeights weights;
+    pose::ProbeWeights weights;
   };
   /// Returns the weights at a vertex, sorted by probe. Empty if all probes near the vertex's block of
   /// vertices are at rest.
@@ -71,13 +73,13 @@ private:
 
   std::span<const mesh::Point> rest_;
   base::WorkerPool& pool_;
-  Probes probes_;
-  Mask mask_;
+  pose::Probes probes_;
+  weights::Mask mask_;
   bool moves_ = false;
   unsigned long revision_ = 0;
   std::vector<bool> posed_;
   std::vector<Block> blocks_;
-  std::vector<ProbeWeights> at_places_;  // [place][probe]
+  std::vector<pose::ProbeWeights> at_places_;  // [place][probe]
   std::vector<std::uint32_t> anchors_;
   std::vector<Vec3> from_anchors_, places_;
   Vec3 origin_{0, 0, 0};
@@ -91,7 +93,7 @@ private:
 class ProbeTiles {
 public:
   /// Updates the weights if the layer's weights changed.
-  void follow(const ProbeLayer& layer, const Leaves& leaves, base::WorkerPool& pool);
+  void follow(const ProbeLayer& layer, const weights::Leaves& leaves, base::WorkerPool& pool);
   /// Returns true if a probe that is not at rest affects the leaf.
   bool moves(const ProbeLayer& layer, std::size_t leaf) const;
   /// Moves the positions of a leaf's slots. A position is x y z x, in multiples of `unit`. Thread-safe.

@@ -59,7 +59,7 @@ static HWY_INLINE Points scaled(OnePoint, const Points& a, float s) {
 
 // Stores vertices. The absolute values of each normal must sum to 1, see base::pack_normal().
 static HWY_INLINE void store_vertices(OnePoint, const Points& position, const Points& normal,
-                                      const std::uint32_t* order, FrameVertex* vertices) {
+                                      const std::uint32_t* order, pose::FrameVertex* vertices) {
   const float fold = normal.z < 0 ? -normal.z : 0;
   const auto packed = [&](float x) {
     return static_cast<std::int16_t>(__builtin_rintf(32767 * (x + __builtin_copysignf(fold, x))));
@@ -90,7 +90,7 @@ static HWY_INLINE void normalise(OnePoint, const Points& inverse_sum, Points (&a
 #else
 
 using OnePoint = hn::FixedTag<float, 4>;
-using ManyPoints = hn::CappedTag<float, 4 * ring_group>;
+using ManyPoints = hn::CappedTag<float, 4 * weights::ring_group>;
 
 template <class D>
 constexpr std::size_t points(D) {
@@ -136,7 +136,8 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
 }
 
 template <class D, class V = hn::Vec<D> >
-static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* order, FrameVertex* vertices) {
+static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* order,
+                                    pose::FrameVertex* vertices) {
   if constexpr (points(d) == 1) {
     hn::Store(blocks, d, vertices[*order].position);  // also stores the normal, which is the last lane
   } else {
@@ -149,7 +150,7 @@ static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* o
 // Stores vertices. The absolute values of each normal must sum to 1, see base::pack_normal().
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals, const std::uint32_t* order,
-                                      FrameVertex* vertices) {
+                                      pose::FrameVertex* vertices) {
   HWY_ALIGN static constexpr std::int32_t last[] = {0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1};
   const hn::RebindToSigned<D> whole;
   const V fold = hn::Max(hn::Neg(hn::Broadcast<2>(normals)), hn::Zero(d));
@@ -243,28 +244,34 @@ static HWY_INLINE V areas_around(D d, const float* positions, const Index* neigh
 template <class D, class V>
 static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* neighbours,
                                    std::size_t length, const V& self) {
-  constexpr std::size_t stride = ring_group, floats = index_floats;
+  constexpr std::size_t stride = weights::ring_group, floats = weights::index_floats;
   switch (length) {
-    case closed_ring + 4: return areas_around<true, stride, floats>(d, positions, neighbours, 4, self);
-    case closed_ring + 5: return areas_around<true, stride, floats>(d, positions, neighbours, 5, self);
-    case closed_ring + 6: return areas_around<true, stride, floats>(d, positions, neighbours, 6, self);
-    case closed_ring + 7: return areas_around<true, stride, floats>(d, positions, neighbours, 7, self);
-    case closed_ring + 8: return areas_around<true, stride, floats>(d, positions, neighbours, 8, self);
+    case weights::closed_ring + 4:
+      return areas_around<true, stride, floats>(d, positions, neighbours, 4, self);
+    case weights::closed_ring + 5:
+      return areas_around<true, stride, floats>(d, positions, neighbours, 5, self);
+    case weights::closed_ring + 6:
+      return areas_around<true, stride, floats>(d, positions, neighbours, 6, self);
+    case weights::closed_ring + 7:
+      return areas_around<true, stride, floats>(d, positions, neighbours, 7, self);
+    case weights::closed_ring + 8:
+      return areas_around<true, stride, floats>(d, positions, neighbours, 8, self);
     default: break;
   }
-  if (length < closed_ring)
+  if (length < weights::closed_ring)
     return areas_around<false, stride, floats>(d, positions, neighbours, length, self);
-  return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
+  return areas_around<true, stride, floats>(d, positions, neighbours, length - weights::closed_ring, self);
 }
 
 // Returns the area vectors of the slots in the register at slot s. Advances `neighbours` after each group.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
-  const std::size_t length = run.lengths[s / ring_group];
+  const std::size_t length = run.lengths[s / weights::ring_group];
   const auto areas =
-      areas_of_group(d, positions, neighbours + s % ring_group, length, load(d, positions + 4 * s));
-  if ((s + points(d)) % ring_group == 0) neighbours += ring_group * (length % closed_ring);
+      areas_of_group(d, positions, neighbours + s % weights::ring_group, length, load(d, positions + 4 * s));
+  if ((s + points(d)) % weights::ring_group == 0)
+    neighbours += weights::ring_group * (length % weights::closed_ring);
   return areas;
 }
 
@@ -297,7 +304,7 @@ static HWY_INLINE void load_four(D d, const float* from, decltype(zero(D())) (&o
 // Stores the slots of 4 registers to vertices[order[0]], vertices[order[1]] and so on. The first slot is s.
 static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const float* areas,
                                        const float* inverse_sum, const std::uint32_t* order,
-                                       FrameVertex* vertices) {
+                                       pose::FrameVertex* vertices) {
   const ManyPoints d;
   decltype(zero(d)) normals[4], positions[4];
   load_four(d, areas, normals);
@@ -312,7 +319,7 @@ constexpr std::size_t ring_block = 128;  // slots; a leaf has a multiple of 32 s
 
 // Computes up to ring_block slots from `begin` on. Runs each step for all slots, to hide latency.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
-                                  FrameVertex* HWY_RESTRICT vertices) {
+                                  pose::FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;
   constexpr std::size_t at_once = 4 * points(d);
   const std::size_t slots = std::min(ring_block, run.slots - begin);
@@ -333,12 +340,12 @@ static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const s
     store_registers(run, begin + i, areas + 4 * i, inverse + i, order + i, vertices);
   if (i == filled) return;
   static constexpr std::uint32_t in_a_row[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  FrameVertex last[at_once];
+  pose::FrameVertex last[at_once];
   store_registers(run, begin + i, areas + 4 * i, inverse + i, in_a_row, last);
   for (std::size_t k = 0; i + k < filled; ++k) vertices[order[i + k]] = last[k];
 }
 
-static void ring_vertices(const RingRun& leaf, FrameVertex* HWY_RESTRICT vertices) {
+static void ring_vertices(const RingRun& leaf, pose::FrameVertex* HWY_RESTRICT vertices) {
   const RingRun run = leaf;  // a local copy that cannot alias the vertices
   if (!copy_ghosts(run)) return;
   const std::uint16_t* neighbours = run.neighbours;
@@ -347,7 +354,7 @@ static void ring_vertices(const RingRun& leaf, FrameVertex* HWY_RESTRICT vertice
 }
 
 static void ring_high_valence(const float* positions, const std::uint32_t* neighbours, std::size_t length,
-                              std::uint32_t position, FrameVertex& vertex) {
+                              std::uint32_t position, pose::FrameVertex& vertex) {
   const OnePoint d;
   const auto self = load(d, positions + 4 * std::size_t(position));
   decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, neighbours, length, self), zero(d),

@@ -7,7 +7,7 @@ std::vector<Vec3> ShapeFollower::followed(std::span<const double> sums, std::spa
   std::vector<Vec3> all;
   all.reserve(ways.size());
   for (std::size_t v = 0; v < ways.size(); ++v) {
-    const double* m = sums.data() + v * map_shape.columns;
+    const double* m = sums.data() + v * pose::map_shape.columns;
     const auto row = [&, &way = ways[v]](std::size_t i) {
       return m[3 * i] * way[0] + m[3 * i + 1] * way[1] + m[3 * i + 2] * way[2];
     };
@@ -16,19 +16,22 @@ std::vector<Vec3> ShapeFollower::followed(std::span<const double> sums, std::spa
   return all;
 }
 
-std::span<const Vec3> ShapeFollower::followed(const std::shared_ptr<const Binding>& binding, const Mask& mask,
-                                              std::span<const Vec3> ways, base::WorkerPool& pool) {
-  if (!binding->tiles) return followed_ = followed({*binding, product(binding->shares, values(mask))}, ways);
+std::span<const Vec3> ShapeFollower::followed(const std::shared_ptr<const weights::Binding>& binding,
+                                              const weights::Mask& mask, std::span<const Vec3> ways,
+                                              base::WorkerPool& pool) {
+  if (!binding->tiles)
+    return followed_ = followed({*binding, weights::product(binding->shares, weights::values(mask))}, ways);
   if (!blender_) blender_ = std::make_unique<FusedEngine>(binding, state_.rows().form, pool);
   if (mask_ != mask) blender_->set_mask(mask);
   mask_ = mask;
-  sums_.resize(ways.size() * map_shape.columns);
+  sums_.resize(ways.size() * pose::map_shape.columns);
   blender_->blend(state_, sums_);
   return followed_ = followed(sums_, ways);
 }
 
-std::vector<Vec3> ShapeFollower::followed(const VertexBlock& block, std::span<const Vec3> ways) const {
-  std::vector<double> sums(ways.size() * map_shape.columns);
+std::vector<Vec3> ShapeFollower::followed(const weights::VertexBlock& block,
+                                          std::span<const Vec3> ways) const {
+  std::vector<double> sums(ways.size() * pose::map_shape.columns);
   blend(block, state_.rows(), 0, ways.size(), sums);
   return followed(sums, ways);
 }

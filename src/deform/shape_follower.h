@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "deform/cage_state.h"
 #include "deform/fused_engine.h"
 #include "deform/staged_engine.h"
+#include "pose/cage_state.h"
 
 namespace viete::deform {
 
@@ -17,26 +17,27 @@ namespace viete::deform {
 class ShapeFollower {
 public:
   /// Returns true if the scheme's rows are positions, which have no rotations.
-  static bool is_for(const Scheme& scheme) {
-    return row_form(scheme.weighting.elements, scheme.blend) == RowForm::positions;
+  static bool is_for(const pose::Scheme& scheme) {
+    return row_form(scheme.weighting.elements, scheme.blend) == pose::RowForm::positions;
   }
 
-  explicit ShapeFollower(std::shared_ptr<const Cage> cage)
-      : state_(std::move(cage), Elements::point, RowForm::maps) {}
+  explicit ShapeFollower(std::shared_ptr<const pose::Cage> cage)
+      : state_(std::move(cage), pose::Elements::point, pose::RowForm::maps) {}
 
-  void set_pose(const Pose& pose) { state_.set_pose(pose); }
+  void set_pose(const pose::Pose& pose) { state_.set_pose(pose); }
   /// Returns v' for all vertices. The mask scales the shares. Uses tiles if the binding has them.
-  std::span<const Vec3> followed(const std::shared_ptr<const Binding>& binding, const Mask& mask,
-                                 std::span<const Vec3> ways, base::WorkerPool& pool);
+  std::span<const Vec3> followed(const std::shared_ptr<const weights::Binding>& binding,
+                                 const weights::Mask& mask, std::span<const Vec3> ways,
+                                 base::WorkerPool& pool);
   /// Returns v' for a block's vertices. block.ways must be empty. Thread-safe between calls of set_pose().
-  std::vector<Vec3> followed(const VertexBlock& block, std::span<const Vec3> ways) const;
+  std::vector<Vec3> followed(const weights::VertexBlock& block, std::span<const Vec3> ways) const;
 
 private:
   std::vector<Vec3> followed(std::span<const double> sums, std::span<const Vec3> ways) const;
 
-  CageState state_;
+  pose::CageState state_;
   std::unique_ptr<FusedEngine> blender_;  // for a binding with tiles
-  Mask mask_;
+  weights::Mask mask_;
   std::vector<double> sums_;
   std::vector<Vec3> followed_;
 };

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/clock.h"
-#include "deform/maps.h"
 #include "deform/moments.h"
 #include "mesh/normals.h"
+#include "pose/maps.h"
 
 namespace viete::deform {
 
@@ -34,7 +34,7 @@ void product(const double* weights, const double* table, std::size_t handles, do
 
 // Calls store(vertex, sums) for the vertices [begin, end). Computes the sums of `Rows` vertices at a time.
 template <std::size_t Rows, std::size_t Columns, class Store>
-void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
+void for_rows(const weights::Binding& binding, const double* table, std::size_t begin, std::size_t end,
               const Store& store) {
   const std::size_t k = binding.handles;
   std::size_t i = begin;
@@ -51,8 +51,8 @@ void for_rows(const Binding& binding, const double* table, std::size_t begin, st
 }
 
 template <std::size_t Columns>
-void blend_columns(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
-                   std::span<double> sums) {
+void blend_columns(const weights::Binding& binding, const pose::Rows& rows, std::size_t begin,
+                   std::size_t end, std::span<double> sums) {
   constexpr std::size_t at_once = Columns < 4 ? 4 : 2;
   for_rows<at_once, Columns>(binding, rows.values.data(), begin, end,
                              [&](std::size_t i, const double(&s)[Columns]) {
@@ -72,7 +72,7 @@ double squared_frobenius(const Stretch& m) {
 }
 
 double relative_difference(const Stretch& a, const Stretch& b) {
-  const Stretch d = plus(a, -1, b);
+  const Stretch d = pose::plus(a, -1, b);
   const double difference = std::sqrt(squared_frobenius(d) / squared_frobenius(b));
   return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
@@ -88,7 +88,7 @@ double worst_difference(std::span<const Stretch> computed, std::span<const Stret
 
 }  // namespace
 
-void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
+void blend(const weights::VertexBlock& block, const pose::Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums) {
   assert(rows.columns() == 3 || rows.columns() == 12);  // forms without moments
   rows.columns() == 3 ? blend_columns<3>(block.binding, rows, begin, end, sums)
@@ -96,7 +96,7 @@ void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::s
   apply_shares(block, rows.form, begin, end, sums);
 }
 
-void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
+void apply_shares(const weights::VertexBlock& block, pose::RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums) {
   if (block.shares.empty()) return;
   const std::size_t columns = shape(form).columns, center = shape(form).center;
@@ -109,22 +109,23 @@ void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std
   }
 }
 
-void apply(const VertexBlock& block, RowForm form, Sums sums, std::span<const Stretch> stretches,
-           const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions) {
+void apply(const weights::VertexBlock& block, pose::RowForm form, Sums sums,
+           std::span<const Stretch> stretches, const Vec3& origin, std::size_t begin, std::size_t end,
+           std::span<mesh::Point> positions) {
   const std::size_t columns = shape(form).columns;
   for (std::size_t i = begin; i < end; ++i) {
     const Sums s = sums.subspan(i * columns, columns);
     Vec3 moved;
-    if (form == RowForm::maps) {
+    if (form == pose::RowForm::maps) {
       const Vec3 x = block.rest(i) - block.binding.rest_origin;
-      moved = x + (times(sym3::Mat3<double>{s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]}, x) +
+      moved = x + (pose::times(sym3::Mat3<double>{s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]}, x) +
                    three(s, 9));
-    } else if (form == RowForm::positions) {
+    } else if (form == pose::RowForm::positions) {
       moved = three(s, 0) + block.share(i) * block.offset(i);
     } else {
-      assert(form == RowForm::logs);  // for moments, see place_by_moments()
-      const Vec3 stretched = times(stretches[i], block.share(i) * block.offset(i));
-      moved = times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9);
+      assert(form == pose::RowForm::logs);  // for moments, see place_by_moments()
+      const Vec3 stretched = pose::times(stretches[i], block.share(i) * block.offset(i));
+      moved = pose::times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9);
     }
     positions[i] = origin + moved;
   }
@@ -132,21 +133,21 @@ void apply(const VertexBlock& block, RowForm form, Sums sums, std::span<const St
 
 void stretch_logs(Sums sums, std::size_t begin, std::size_t end, std::span<Stretch> logs) {
   for (std::size_t i = begin; i < end; ++i) {
-    const double* x = sums.data() + i * log_shape.columns;
+    const double* x = sums.data() + i * pose::log_shape.columns;
     logs[i] = {x[0], x[1], x[2], x[3], x[4], x[5]};
   }
 }
 
-double place_sums(const VertexBlock& block, RowForm form, Sums sums, const Vec3& origin, sym3::Method method,
-                  std::span<mesh::Point> positions, bool error) {
-  std::vector<Stretch> logs(form == RowForm::logs ? positions.size() : 0), stretches(logs.size());
+double place_sums(const weights::VertexBlock& block, pose::RowForm form, Sums sums, const Vec3& origin,
+                  sym3::Method method, std::span<mesh::Point> positions, bool error) {
+  std::vector<Stretch> logs(form == pose::RowForm::logs ? positions.size() : 0), stretches(logs.size());
   stretch_logs(sums, 0, logs.size(), logs);
   sym3::exp<double>(logs, stretches, method);
   apply(block, form, sums, stretches, origin, 0, positions.size(), positions);
   return error && method != sym3::Method::fast ? worst_difference(stretches, logs) : 0;
 }
 
-double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
+double place_vertices(const weights::VertexBlock& block, const pose::Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions, std::span<double> sums) {
   const std::size_t n = positions.size();
   if (has_moments(rows.form)) {
@@ -159,7 +160,8 @@ double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method m
   return place_sums(block, rows.form, sums, rows.origin, method, positions, true);
 }
 
-StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool)
+StagedEngine::StagedEngine(std::shared_ptr<const weights::Binding> binding, pose::RowForm form,
+                           base::WorkerPool& pool)
     : binding_(std::move(binding)),
       pool_(pool),
       shares_(binding_->shares),
@@ -168,47 +170,47 @@ StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form,
       vertices_(binding_->vertices) {
   const std::size_t n = binding_->vertices;
   if (!has_moments(form)) sums_.resize(n * shape(form).columns);
-  if (form == RowForm::logs) logs_.resize(n), stretches_.resize(n);
+  if (form == pose::RowForm::logs) logs_.resize(n), stretches_.resize(n);
 }
 
 template <class Body>
-void StagedEngine::run_link(Link link, const Body& body) {
+void StagedEngine::run_link(pose::Link link, const Body& body) {
   constexpr std::size_t vertices_per_block = 256;
   base::Stopwatch watch;
   pool_.for_blocks(binding_->vertices, vertices_per_block, body);
   times_[link] = watch.lap_ms();
 }
 
-void StagedEngine::run(const CageState& state, sym3::Method method) {
-  const Rows rows = state.rows();
-  const VertexBlock block{*binding_, shares_, ways_};
+void StagedEngine::run(const pose::CageState& state, sym3::Method method) {
+  const pose::Rows rows = state.rows();
+  const weights::VertexBlock block{*binding_, shares_, ways_};
   times_ = {};
   if (has_moments(rows.form)) {
     // One step computes the sums and the map of a vertex, because some sums depend on other sums.
-    run_link(Link::blend, [&](std::size_t begin, std::size_t end) {
+    run_link(pose::Link::blend, [&](std::size_t begin, std::size_t end) {
       place_by_moments(block, rows, begin, end, positions_);
     });
   } else {
-    run_link(Link::blend, [&](std::size_t begin, std::size_t end) {
+    run_link(pose::Link::blend, [&](std::size_t begin, std::size_t end) {
       blend(block, rows, begin, end, sums_);
       if (!logs_.empty()) stretch_logs(sums_, begin, end, logs_);
     });
     if (!logs_.empty()) {
-      run_link(Link::exp, [&](std::size_t begin, std::size_t end) {
+      run_link(pose::Link::exp, [&](std::size_t begin, std::size_t end) {
         sym3::exp<double>(std::span(logs_).subspan(begin, end - begin),
                           std::span(stretches_).subspan(begin, end - begin), method);
       });
     }
-    run_link(Link::apply, [&](std::size_t begin, std::size_t end) {
+    run_link(pose::Link::apply, [&](std::size_t begin, std::size_t end) {
       apply(block, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
     });
   }
   if (layer_) {
     base::Stopwatch watch;
     layer_->move_all(positions_, method);
-    times_[Link::probes] = watch.lap_ms();
+    times_[pose::Link::probes] = watch.lap_ms();
   }
-  run_link(Link::normals, [&](std::size_t begin, std::size_t end) {
+  run_link(pose::Link::normals, [&](std::size_t begin, std::size_t end) {
     mesh::vertex_normals(positions_, binding_->model->triangles, binding_->around, begin, end, normals_);
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 p = positions_[i] - rows.origin;

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/leaves.h"
-#include "deform/maps.h"
 #include "deform/staged_engine.h"
+#include "pose/maps.h"
 #include "sym3/polar.h"
+#include "weights/leaves.h"
 
 namespace viete::deform {
 
@@ -39,7 +39,7 @@ struct Stitcher::Maps {
 
   alignas(64) Plane sums[used], stretches[6], rotations[9];
 
-  void average(std::span<const double> of, RowForm form, std::span<const mesh::Triangle> triangles) {
+  void average(std::span<const double> of, pose::RowForm form, std::span<const mesh::Triangle> triangles) {
     const std::size_t columns = shape(form).columns;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       // Vertices are in file order, so hardware prefetching cannot predict which sums come next.
@@ -82,8 +82,8 @@ struct Stitcher::Maps {
     sym3::polar(maps, maps, sym3::SymView<double>(stretches[0], stride), count);
   }
 
-  void make(RowForm form, std::size_t count, sym3::Method method, bool apart) {
-    if (form == RowForm::logs) return stretch_by_logs(count, method), rotate_by_logs(count);
+  void make(pose::RowForm form, std::size_t count, sym3::Method method, bool apart) {
+    if (form == pose::RowForm::logs) return stretch_by_logs(count, method), rotate_by_logs(count);
     take_whole(count);
     if (apart) split(count);
   }
@@ -111,7 +111,7 @@ struct Stitcher::Maps {
   }
 };
 
-Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool)
+Stitcher::Stitcher(const Stitching& stitching, pose::RowForm form, base::WorkerPool& pool)
     : stitching_(stitching),
       form_(form),
       pool_(pool),
@@ -119,12 +119,12 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
       pin_targets_(stitching_.pins.size()),
       right_(stitching_.factors.size()),
       positions_(stitching_.factors.size()) {
-  assert(form == RowForm::logs || form == RowForm::maps);
+  assert(form == pose::RowForm::logs || form == pose::RowForm::maps);
 }
 
-void Stitcher::set_shares(const Shares& shares) {
+void Stitcher::set_shares(const weights::Shares& shares) {
   const auto all = stitching_.with_centers(std::span(shares));
-  pin_shares_ = picked(std::span(all), vertices_of(stitching_.pins));
+  pin_shares_ = mesh::picked(std::span(all), vertices_of(stitching_.pins));
 }
 
 void Stitcher::set_shape(std::span<const Vec3> of_vertices) {
@@ -132,7 +132,7 @@ void Stitcher::set_shape(std::span<const Vec3> of_vertices) {
   const std::vector<Vec3> all = s.with_centers(of_vertices);
   const std::span<const Vec3> ways(all);
   shaped_gradients_.clear();
-  pin_ways_ = picked(ways, vertices_of(s.pins));
+  pin_ways_ = mesh::picked(ways, vertices_of(s.pins));
   if (ways.empty()) return;
   shaped_gradients_ = s.gradients;
   pool_.for_blocks(s.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
@@ -144,7 +144,7 @@ void Stitcher::set_shape(std::span<const Vec3> of_vertices) {
   });
 }
 
-void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held,
+void Stitcher::run(const pose::Rows& rows, std::span<const double> sums, std::span<const Vec3> held,
                    sym3::Method method, int iterations) {
   base::Stopwatch watch;
   loads_ms_ = solve_ms_ = 0;
@@ -164,13 +164,13 @@ void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<con
 }
 
 // Computes the target of each pin: the position to which the pin's handle moves the pin's vertex.
-void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
+void Stitcher::place_pins(const pose::Rows& rows, sym3::Method method) {
   const std::size_t columns = rows.columns(), n = pin_targets_.size();
   std::vector<double> sums(n * columns);
   for (std::size_t i = 0; i < n; ++i)
     std::copy_n(rows.values.begin() + std::ptrdiff_t(stitching_.pins[i].handle * columns), columns,
                 sums.begin() + std::ptrdiff_t(i * columns));
-  const VertexBlock pins{stitching_.pinned, pin_shares_, pin_ways_};
+  const weights::VertexBlock pins{stitching_.pinned, pin_shares_, pin_ways_};
   apply_shares(pins, rows.form, 0, n, sums);
   place_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
@@ -223,8 +223,8 @@ void Stitcher::load_refitted() {
     const sym3::MatView<double> view{sym3::Layout::packed, rotations[0].data()};
     sym3::polar(view, view, end - begin);
     for (std::size_t t = begin; t < end; ++t)
-      set_load(t, times(rotations[t - begin], stretched_[t][0]),
-               times(rotations[t - begin], stretched_[t][1]));
+      set_load(t, pose::times(rotations[t - begin], stretched_[t][0]),
+               pose::times(rotations[t - begin], stretched_[t][1]));
   });
 }
 
@@ -251,14 +251,14 @@ void Stitcher::solve(std::span<const Vec3> held) {
 namespace {
 
 Vec3 vector_of_slot(const base::AlignedVector<float>& array, std::size_t slot, double unit) {
-  const float* at = array.data() + slot / lanes * lanes * 3 + slot % lanes;
-  return unit * Vec3{at[0], at[lanes], at[2 * lanes]};
+  const float* at = array.data() + slot / weights::lanes * weights::lanes * 3 + slot % weights::lanes;
+  return unit * Vec3{at[0], at[weights::lanes], at[2 * weights::lanes]};
 }
 
 }  // namespace
 
-StitchedEngine::StitchedEngine(std::shared_ptr<const Binding> binding,
-                               std::shared_ptr<const Stitching> stitching, RowForm form, int iterations,
+StitchedEngine::StitchedEngine(std::shared_ptr<const weights::Binding> binding,
+                               std::shared_ptr<const Stitching> stitching, pose::RowForm form, int iterations,
                                base::WorkerPool& pool)
     : whole_(stitching->coarse ? std::make_unique<FusedEngine>(binding, form, pool) : nullptr),
       pool_(pool),
@@ -275,11 +275,11 @@ StitchedEngine::StitchedEngine(std::shared_ptr<const Binding> binding,
   set_mask(nullptr);
 }
 
-void StitchedEngine::set_mask(const Mask& mask) {
+void StitchedEngine::set_mask(const weights::Mask& mask) {
   if (whole_) whole_->set_mask(mask);
-  const Mask own = whole_ ? stitching_->coarse->means(mask) : mask;
+  const weights::Mask own = whole_ ? stitching_->coarse->means(mask) : mask;
   blender_.set_mask(own);
-  shares_ = product(shares_of(*binding_), values(own));
+  shares_ = weights::product(shares_of(*binding_), weights::values(own));
   stitcher_.set_shares(shares_);
 }
 
@@ -293,7 +293,7 @@ void StitchedEngine::set_shape(std::span<const Vec3> ways) {
   stitcher_.set_shape(ways);
 }
 
-void StitchedEngine::run(const CageState& state, sym3::Method method) {
+void StitchedEngine::run(const pose::CageState& state, sym3::Method method) {
   blender_.blend(state, sums_);
   base::Stopwatch watch;
   const auto held = blended(held_, method);
@@ -307,17 +307,17 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
     blender_.show(stitcher_.positions());
     times_ = blender_.times();
   }
-  times_[Link::blend] += held_ms;
-  times_[Link::triangle_maps] = stitcher_.loads_ms();
-  times_[Link::solve] = stitcher_.solve_ms();
+  times_[pose::Link::blend] += held_ms;
+  times_[pose::Link::triangle_maps] = stitcher_.loads_ms();
+  times_[pose::Link::solve] = stitcher_.solve_ms();
 }
 
 // Blends the whole model, and moves it as stitching moved the coarse model. Returns the times of both.
-LinkTimes StitchedEngine::move_whole(const CageState& state) {
-  const CoarseModel& coarse = *stitching_->coarse;
+pose::LinkTimes StitchedEngine::move_whole(const pose::CageState& state) {
+  const weights::CoarseModel& coarse = *stitching_->coarse;
   whole_->set_layer(nullptr);
   whole_->run(state);
-  LinkTimes times = whole_->times();
+  pose::LinkTimes times = whole_->times();
   base::Stopwatch watch;
   positions_.resize(whole_->vertices().size());
   pool_.for_blocks(positions_.size(), gathered_per_block, [&](std::size_t begin, std::size_t end) {
@@ -326,26 +326,29 @@ LinkTimes StitchedEngine::move_whole(const CageState& state) {
       positions_[v] = {p[0], p[1], p[2]};
     }
   });
-  sample_ = picked(std::span<const Vec3>(positions_), spread_vertices(positions_.size(), error_sample));
+  sample_ = mesh::picked(std::span<const Vec3>(positions_),
+                         weights::spread_vertices(positions_.size(), weights::error_sample));
   std::vector<Vec3> moves = coarse.means(positions_, pool_);
   for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = stitcher_.positions()[c] - moves[c];
   coarse.move(moves, positions_, pool_);
-  times[Link::apply] = watch.lap_ms();
+  times[pose::Link::apply] = watch.lap_ms();
   whole_->set_layer(layer_);
   whole_->show(positions_);
-  for (const Link link : {Link::normals, Link::probes}) times[link] += whole_->times()[link];
+  for (const pose::Link link : {pose::Link::normals, pose::Link::probes})
+    times[link] += whole_->times()[link];
   return times;
 }
 
 std::vector<Vec3> StitchedEngine::blended_sample() const {
   if (whole_) return sample_;
-  return blended(spread_vertices(bound_->vertices, error_sample), sym3::Method::fast);
+  return blended(weights::spread_vertices(bound_->vertices, weights::error_sample), sym3::Method::fast);
 }
 
 std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices, sym3::Method method) const {
   const std::size_t columns = shape(form_).columns;
-  Binding some;
-  some.rest = std::make_shared<const std::vector<mesh::Point>>(picked(std::span(*bound_->rest), vertices));
+  weights::Binding some;
+  some.rest =
+      std::make_shared<const std::vector<mesh::Point>>(mesh::picked(std::span(*bound_->rest), vertices));
   some.rest_origin = bound_->rest_origin;
   std::vector<double> sums;
   for (const auto v : vertices) {
@@ -354,8 +357,8 @@ std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices,
     sums.insert(sums.end(), from.begin(), from.end());
   }
   std::vector<Vec3> positions(vertices.size());
-  const Shares shares = picked(std::span(shares_), vertices);
-  const auto ways = picked(ways_, vertices);
+  const weights::Shares shares = mesh::picked(std::span(shares_), vertices);
+  const auto ways = mesh::picked(ways_, vertices);
   place_sums({some, shares, ways}, form_, sums, {0, 0, 0}, method, positions);
   return positions;
 }

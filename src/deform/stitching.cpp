@@ -8,16 +8,16 @@
 #include <utility>
 
 #include "base/error.h"
-#include "deform/bind.h"
-#include "deform/laplacian.h"
-#include "deform/leaves.h"
-#include "deform/maps.h"
-#include "deform/part_coupling.h"
 #include "deform/staged_engine.h"
 #include "mesh/point_index.h"
 #include "mesh/triangle.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"
+#include "pose/maps.h"
+#include "weights/bind.h"
+#include "weights/laplacian.h"
+#include "weights/leaves.h"
+#include "weights/part_coupling.h"
 
 namespace viete::deform {
 
@@ -31,10 +31,10 @@ constexpr double indistinguishable = 1e-9;  // in cage diagonals; smaller differ
 
 class StitchMaker {
 public:
-  StitchMaker(const mesh::Surface& model, const Cage& cage, const Holding& holding, base::WorkerPool& pool,
-              base::Progress* progress)
+  StitchMaker(const mesh::Surface& model, const pose::Cage& cage, const pose::Holding& holding,
+              base::WorkerPool& pool, base::Progress* progress)
       : original_(model),
-        split_(mesh::split_unsettled(model, most_split_corners)),
+        split_(mesh::split_unsettled(model, weights::most_split_corners)),
         cage_(cage),
         holding_(holding),
         pool_(pool),
@@ -45,7 +45,8 @@ public:
     find_couplings();
     find_pins();
     hold_the_rest();
-    SparseMatrix matrix = with_couplings(stiffness_matrix(model_.positions, model_.triangles), couplings_);
+    sparse::SparseMatrix matrix =
+        with_couplings(weights::stiffness_matrix(model_.positions, model_.triangles), couplings_);
     add_diagonal(matrix);
     Stitching s{holding_,
                 rings(),
@@ -58,7 +59,7 @@ public:
                 std::move(pins_),
                 {},
                 std::move(holds_),
-                SparseCholesky(matrix, pool_, told(progress_, found_pins, 1))};
+                sparse::SparseCholesky(matrix, pool_, sparse::told(progress_, found_pins, 1))};
     fill_triangles(s);
     fill_pinned(s);
     return s;
@@ -80,16 +81,16 @@ private:
     thin_.resize(model_.triangles.size());
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       const auto& [a, b, c] = model_.triangles[t];
-      thin_[t] = is_thin(p[a], p[b], p[c]);
+      thin_[t] = weights::is_thin(p[a], p[b], p[c]);
     }
   }
 
   void find_couplings() {
-    couplings_ = vertex_couplings(original_, pool_);
+    couplings_ = weights::vertex_couplings(original_, pool_);
     const auto lowest = mesh::lowest_in_place(original_.positions);
     for (std::uint32_t v = 0; v < lowest.size(); ++v) {
       const auto w = lowest[v];
-      if (w != v) couplings_.push_back({v, {w, w, w}, {1, 0, 0}, most_strength});
+      if (w != v) couplings_.push_back({v, {w, w, w}, {1, 0, 0}, weights::most_strength});
     }
   }
 
@@ -176,7 +177,7 @@ private:
     }
   }
 
-  void add_diagonal(SparseMatrix& matrix) const {
+  void add_diagonal(sparse::SparseMatrix& matrix) const {
     std::vector<double> firmness(matrix.size(), 0.0);
     for (const auto& pin : pins_) firmness[pin.vertex] += pin.weight;
     for (const auto& hold : holds_) firmness[hold.vertex] += hold.weight;
@@ -189,7 +190,7 @@ private:
 
   void fill_triangles(Stitching& s) const {
     const auto& p = model_.positions;
-    Leaves leaves = make_leaves(p, std::vector<std::uint32_t>(p.size(), 0));
+    weights::Leaves leaves = weights::make_leaves(p, std::vector<std::uint32_t>(p.size(), 0));
     const std::vector<std::uint32_t> places = slots_of(leaves);
     s.order = std::move(leaves.order);
     s.order.resize(p.size());  // removes the padding
@@ -199,14 +200,14 @@ private:
     };
     std::ranges::stable_sort(s.triangles, {}, first_place);
     for (const auto& [a, b, c] : s.triangles) {
-      s.cotangents.push_back(half_cotangents(p[a], p[b], p[c]));
+      s.cotangents.push_back(weights::half_cotangents(p[a], p[b], p[c]));
       s.gradients.push_back(area_gradients(s.cotangents.back(), p[a], p[b], p[c]));
     }
     std::vector<std::uint32_t> beside(p.size(), no_triangle);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
       s.rotated_as.push_back(t);
       const auto& [a, b, c] = s.triangles[t];
-      if (!is_thin(p[a], p[b], p[c])) beside[a] = beside[b] = beside[c] = t;
+      if (!weights::is_thin(p[a], p[b], p[c])) beside[a] = beside[b] = beside[c] = t;
     }
     for (const auto& [a, t, shares, strength] : couplings_) {
       const auto b = t[0];
@@ -227,9 +228,9 @@ private:
 
   void fill_pinned(Stitching& s) const {
     const auto& centers = cage_.centers;
-    Binding& b = s.pinned;
+    weights::Binding& b = s.pinned;
     b.vertices = s.pins.size();
-    b.rest_origin = middle(cage_.surface.positions);
+    b.rest_origin = pose::middle(cage_.surface.positions);
     std::vector<mesh::Point> rest;
     for (const auto& pin : s.pins) {
       rest.push_back(model_.positions[pin.vertex]);
@@ -241,18 +242,18 @@ private:
   const mesh::Surface& original_;
   const mesh::CenterSplit split_;
   const mesh::Surface& model_ = split_.surface;
-  const Cage& cage_;
-  Holding holding_;
+  const pose::Cage& cage_;
+  pose::Holding holding_;
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
-  std::vector<Coupling> couplings_;  // each joins two vertices, see by_corners()
+  std::vector<weights::Coupling> couplings_;  // each joins two vertices, see by_corners()
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
 };
 
-Stitching stitch_all(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
-                     const Holding& holding, base::Progress* progress) {
+Stitching stitch_all(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
+                     const pose::Holding& holding, base::Progress* progress) {
   const auto n = static_cast<double>(model.positions.size());
   // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides.
   const base::MemoryNeed need{n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80),
@@ -273,17 +274,18 @@ std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, 
   return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
 }
 
-Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Scheme& scheme,
-                 base::Progress* progress) {
+Stitching stitch(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
+                 const pose::Scheme& scheme, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
-  if (!needs_coarse_model(model)) return stitch_all(model, cage, pool, scheme.holding, progress);
+  if (!weights::needs_coarse_model(model)) return stitch_all(model, cage, pool, scheme.holding, progress);
   std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.5);
-  const auto coarse = std::make_shared<const CoarseModel>(model, pool, progress);
+  const auto coarse = std::make_shared<const weights::CoarseModel>(model, pool, progress);
   part.emplace(progress, 0.5, 0.75);
   Stitching stitching = stitch_all(coarse->surface(), cage, pool, scheme.holding, progress);
   part.emplace(progress, 0.75, 1);
-  stitching.bound = std::make_shared<const Binding>(deform::bind(
-      {coarse, &coarse->surface()}, cage, scheme.weighting, EngineKind::fused, nullptr, pool, progress));
+  stitching.bound = std::make_shared<const weights::Binding>(
+      weights::bind({coarse, &coarse->surface()}, cage, scheme.weighting, pose::EngineKind::fused, nullptr,
+                    pool, progress));
   stitching.coarse = coarse;
   return stitching;
 }

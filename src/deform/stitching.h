@@ -8,11 +8,13 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/binding.h"
-#include "deform/coarse_model.h"
-#include "deform/sparse/sparse_cholesky.h"
+#include "sparse/sparse_cholesky.h"
+#include "weights/binding.h"
+#include "weights/coarse_model.h"
 
 namespace viete::deform {
+
+using mesh::Vec3;
 
 /// The weight of a handle's pins at the corners of its nearest triangle. For comparison, the stiffness
 /// between neighbouring vertices is about 1, see stiffness_matrix().
@@ -52,7 +54,7 @@ struct Stitching {
     double weight;
   };
 
-  Holding holding;
+  pose::Holding holding;
   mesh::Adjacency rings;                  ///< the corners of each polygon with a center
   std::vector<std::uint32_t> order;       ///< all vertices, then centers, ordered for locality
   std::vector<mesh::Triangle> triangles;  ///< all proper triangles, in the order of vertices; then couplings
@@ -65,11 +67,11 @@ struct Stitching {
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< for each vertex in `order`, all corners at the vertex: 3 * triangle + corner
   std::vector<Pin> pins;
-  Binding pinned;  ///< the pins' rest, rest_origin and offsets from handles' centres; no weights
+  weights::Binding pinned;  ///< the pins' rest, rest_origin and offsets from handles' centres; no weights
   std::vector<Hold> holds;
-  SparseCholesky factors;
-  std::shared_ptr<const CoarseModel> coarse{};  ///< null if the model itself is stitched
-  std::shared_ptr<const Binding> bound{};       ///< binding of the coarse model
+  sparse::SparseCholesky factors;
+  std::shared_ptr<const weights::CoarseModel> coarse{};  ///< null if the model itself is stitched
+  std::shared_ptr<const weights::Binding> bound{};       ///< binding of the coarse model
 
   /// Returns the number of the model's vertices, without the centers.
   std::size_t vertices() const { return factors.size() - rings.starts.size() + 1; }
@@ -87,7 +89,7 @@ struct Stitching {
     }
     return all;
   }
-  bool serves(const Scheme& scheme) const {
+  bool serves(const pose::Scheme& scheme) const {
     return holding == scheme.holding && (!bound || bound->weighting == scheme.weighting);
   }
 };
@@ -100,7 +102,7 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// pin_strength * ((r - d) / r)^2. All vertices get a hold with weight scheme.holding.weight. Throws
 /// base::Error if the model has no vertices, or if its size is above 1e75 or below 1e-75. Throws
 /// base::Cancelled. Results do not depend on the number of threads.
-Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
-                 const Scheme& scheme = {}, base::Progress* progress = nullptr);
+Stitching stitch(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
+                 const pose::Scheme& scheme = {}, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

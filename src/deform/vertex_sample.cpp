@@ -4,27 +4,27 @@
 #include <array>
 #include <cmath>
 
-#include "deform/bind.h"
-#include "deform/maps.h"
-#include "deform/scheme.h"
 #include "deform/staged_engine.h"
-#include "deform/tiled_binding.h"
+#include "pose/maps.h"
+#include "pose/scheme.h"
+#include "weights/bind.h"
+#include "weights/tiled_binding.h"
 
 namespace viete::deform {
 
-VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     std::size_t vertex) {
-  const Binding part =
+VertexSum vertex_sum(const weights::Weigher& weigher, const weights::Binding& binding,
+                     const weights::Mask& mask, const pose::Rows& rows, std::size_t vertex) {
+  const weights::Binding part =
       bind_vertices(weigher, *binding.rest, known_row(binding), mask, std::array{vertex}).binding;
   const double share = part.shares.empty() ? 1 : part.shares[0];
   VertexSum sum;
-  sum.has_logs = rows.form == RowForm::logs;
+  sum.has_logs = rows.form == pose::RowForm::logs;
   for (std::uint32_t j = 0; j < part.handles; ++j) {
     if (part.weights[j] == 0) continue;
     auto& term = sum.terms.emplace_back(VertexSum::Term{j, share * part.weights[j]});
     term.at = weigher.origin() + weigher.handle_positions()[j];
     if (!sum.has_logs) continue;
-    const double* x = rows.values.data() + j * log_shape.columns;
+    const double* x = rows.values.data() + j * pose::log_shape.columns;
     term.stretch = {x[0], x[1], x[2], x[3], x[4], x[5]};
     term.turn = {x[6], x[7], x[8]};
     term.at = rows.origin + Vec3{x[9], x[10], x[11]};
@@ -33,7 +33,7 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
     return std::abs(a.weight) > std::abs(b.weight);
   });
   for (const VertexSum::Term& term : sum.terms) {
-    sum.stretch = plus(sum.stretch, term.weight, term.stretch);
+    sum.stretch = pose::plus(sum.stretch, term.weight, term.stretch);
     sum.turn = sum.turn + term.weight * term.turn;
   }
   return sum;
@@ -50,14 +50,14 @@ void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, con
 
 }  // namespace
 
-double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
-                     std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
-                     std::span<const Vec3> shown) {
-  const auto vertices = spread_vertices(binding.vertices, error_sample);
-  auto exact = picked(std::span(*binding.rest), vertices);
-  const Binding part = bind_part(weigher, exact, binding.tiles->sample).binding;
-  const Shares shares = product(part.shares, picked(values(mask), vertices));
-  place_vertices({part, shares, picked(ways, vertices)}, rows, sym3::Method::fast, exact);
+double sampled_error(const weights::Weigher& weigher, const weights::Binding& binding,
+                     const weights::Mask& mask, std::span<const Vec3> ways, const pose::Rows& rows,
+                     const ProbeLayer* layer, std::span<const Vec3> shown) {
+  const auto vertices = weights::spread_vertices(binding.vertices, weights::error_sample);
+  auto exact = mesh::picked(std::span(*binding.rest), vertices);
+  const weights::Binding part = bind_part(weigher, exact, binding.tiles->sample).binding;
+  const weights::Shares shares = weights::product(part.shares, mesh::picked(weights::values(mask), vertices));
+  place_vertices({part, shares, mesh::picked(ways, vertices)}, rows, sym3::Method::fast, exact);
   if (layer && layer->moves()) move_by(*layer, vertices, rows.origin, exact);
   double worst = 0;
   for (std::size_t i = 0; i < exact.size(); ++i)
@@ -65,19 +65,20 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Mask&
   return worst / weigher.cage().diagonal;
 }
 
-std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
-                                                 const Mask& mask, const Rows& rows, std::size_t limit,
+std::vector<sym3::Sym3<double>> sample_stretches(const weights::Weigher& weigher,
+                                                 const weights::Binding& binding, const weights::Mask& mask,
+                                                 const pose::Rows& rows, std::size_t limit,
                                                  base::Progress* progress) {
   constexpr std::size_t portion = 256;
-  if (rows.form != RowForm::logs) return {};
-  const auto vertices = spread_vertices(binding.vertices, limit);
-  const KnownRow row = known_row(binding);
+  if (rows.form != pose::RowForm::logs) return {};
+  const auto vertices = weights::spread_vertices(binding.vertices, limit);
+  const weights::KnownRow row = known_row(binding);
   std::vector<sym3::Sym3<double>> sample(vertices.size());
   for (std::size_t begin = 0; begin < vertices.size(); begin += portion) {
     if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(vertices.size()));
     const auto some = std::span(vertices).subspan(begin, std::min(portion, vertices.size() - begin));
-    const Binding part = bind_vertices(weigher, *binding.rest, row, mask, some).binding;
-    std::vector<double> sums(some.size() * log_shape.columns);
+    const weights::Binding part = bind_vertices(weigher, *binding.rest, row, mask, some).binding;
+    std::vector<double> sums(some.size() * pose::log_shape.columns);
     blend({part, part.shares}, rows, 0, some.size(), sums);
     stretch_logs(sums, 0, some.size(), std::span(sample).subspan(begin));
   }

@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "deform/binding.h"
-#include "deform/cage_state.h"
 #include "deform/probe_layer.h"
-#include "deform/weigher.h"
+#include "pose/cage_state.h"
 #include "sym3/sym3.h"
+#include "weights/binding.h"
+#include "weights/weigher.h"
 
 namespace viete::deform {
+
+using mesh::Vec3;
 
 struct VertexSum {
   struct Term {
@@ -31,22 +33,23 @@ struct VertexSum {
 };
 
 /// Computes the sum at a vertex. Reads only weights along the surface from `binding`. `mask` may be null.
-VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
-                     std::size_t vertex);
+VertexSum vertex_sum(const weights::Weigher& weigher, const weights::Binding& binding,
+                     const weights::Mask& mask, const pose::Rows& rows, std::size_t vertex);
 
 /// Returns the error of a frame: the largest distance of a vertex from its exact position, relative to the
 /// cage's diagonal. Compares the vertices of spread_vertices(n, error_sample). Exact positions are computed
 /// in double precision from exact weights. If `layer` is not null, it moves them. `ways` are the shape's
 /// displacements, see Engine::set_shape(). `shown` are the frame's positions of the compared vertices,
 /// relative to the rows' origin. For weights along the surface, binding.tiles must not be null.
-double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
-                     std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
-                     std::span<const Vec3> shown);
+double sampled_error(const weights::Weigher& weigher, const weights::Binding& binding,
+                     const weights::Mask& mask, std::span<const Vec3> ways, const pose::Rows& rows,
+                     const ProbeLayer* layer, std::span<const Vec3> shown);
 
 /// Returns the blended logs of stretches, the input of the exponential, at up to `limit` vertices spread
 /// evenly over the model. Empty if rows have no logs. Throws base::Cancelled.
-std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
-                                                 const Mask& mask, const Rows& rows, std::size_t limit,
+std::vector<sym3::Sym3<double>> sample_stretches(const weights::Weigher& weigher,
+                                                 const weights::Binding& binding, const weights::Mask& mask,
+                                                 const pose::Rows& rows, std::size_t limit,
                                                  base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

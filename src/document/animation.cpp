@@ -5,38 +5,38 @@
 #include <numbers>
 
 #include "base/text.h"
-#include "deform/maps.h"
+#include "pose/maps.h"
 
 namespace viete::document {
 
 namespace {
 
-void add_share(deform::ProbePose& sum, const deform::ProbePose& pose, double factor) {
+void add_share(pose::ProbePose& sum, const pose::ProbePose& pose, double factor) {
   sum.turn = sum.turn + factor * pose.turn;
   sum.move = sum.move + factor * pose.move;
-  sum.stretch = deform::plus(sum.stretch, factor, pose.stretch);
+  sum.stretch = pose::plus(sum.stretch, factor, pose.stretch);
 }
 
 }  // namespace
 
-void VectorCache::follow(const std::shared_ptr<const deform::Cage>& cage) {
+void VectorCache::follow(const std::shared_ptr<const pose::Cage>& cage) {
   if (cage == cage_) {
     std::erase_if(known_, [](const auto& entry) { return entry.second.pose.use_count() == 1; });
     return;
   }
   known_.clear();
   cage_ = cage;
-  space_ = cage ? std::make_shared<const deform::PoseSpace>(cage) : nullptr;
+  space_ = cage ? std::make_shared<const shapes::PoseSpace>(cage) : nullptr;
 }
 
-std::shared_ptr<const deform::LogVector> VectorCache::of(const SharedPose& pose,
+std::shared_ptr<const shapes::LogVector> VectorCache::of(const SharedPose& pose,
                                                          std::span<const mesh::Vec3> turns_before) {
   if (!space_) return nullptr;
   const bool depends = pose->cage.turns.empty();
   const auto found = known_.find(pose.get());
   if (found != known_.end() && (!depends || std::ranges::equal(found->second.turns_before, turns_before)))
     return found->second.vector;
-  const auto vector = std::make_shared<const deform::LogVector>(space_->vector(pose->cage, turns_before));
+  const auto vector = std::make_shared<const shapes::LogVector>(space_->vector(pose->cage, turns_before));
   known_[pose.get()] = {pose, {turns_before.begin(), turns_before.end()}, vector};
   return vector;
 }
@@ -51,14 +51,14 @@ void VectorCache::follow_model(const std::shared_ptr<const mesh::Surface>& model
   shapes_ = nullptr;
 }
 
-const std::shared_ptr<const deform::ShapeSpace>& VectorCache::shapes(base::WorkerPool& pool) {
-  if (!shapes_) shapes_ = std::make_shared<const deform::ShapeSpace>(*model_, pool);
+const std::shared_ptr<const shapes::ShapeSpace>& VectorCache::shapes(base::WorkerPool& pool) {
+  if (!shapes_) shapes_ = std::make_shared<const shapes::ShapeSpace>(*model_, pool);
   return shapes_;
 }
 
-std::shared_ptr<const deform::LogVector> VectorCache::of(
-    const SharedShape& shape, const std::shared_ptr<const deform::LogVector>& before, base::WorkerPool& pool,
-    deform::ShapeReport& report) {
+std::shared_ptr<const shapes::LogVector> VectorCache::of(
+    const SharedShape& shape, const std::shared_ptr<const shapes::LogVector>& before, base::WorkerPool& pool,
+    shapes::ShapeReport& report) {
   KnownShape& known = known_shapes_[shape.get()];
   const auto found = std::ranges::find(known.after, before, &VectorAfter::before);
   if (found != known.after.end()) {
@@ -67,7 +67,7 @@ std::shared_ptr<const deform::LogVector> VectorCache::of(
   }
   const auto& space = *shapes(pool);
   const auto& positions = shape ? *shape : space.rest();
-  const auto vector = std::make_shared<const deform::LogVector>(
+  const auto vector = std::make_shared<const shapes::LogVector>(
       shape || before ? space.vector(positions, pool, before.get(), &report) : space.at_rest());
   known.shape = shape;
   known.after.push_back({before, vector, report});
@@ -84,10 +84,10 @@ void VectorCache::take(VectorCache&& others) {
   }
 }
 
-std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms) {
+std::vector<pose::ProbePose> blended_probes(std::span<const ProbeTerm> terms) {
   std::size_t count = 0;
   for (const auto& [poses, factor] : terms) count = std::max(count, poses->size());
-  std::vector<deform::ProbePose> sum(count);
+  std::vector<pose::ProbePose> sum(count);
   for (const auto& [poses, factor] : terms)
     for (std::size_t i = 0; i < poses->size(); ++i) add_share(sum[i], (*poses)[i], factor);
   return sum;
@@ -101,17 +101,17 @@ bool in_range(const WholePose& pose, double farthest) {
   return std::ranges::all_of(pose.cage.positions, drawn) &&
          (!pose.shape || std::ranges::all_of(*pose.shape, drawn)) &&
          std::ranges::all_of(pose.cage.turns, turned) &&
-         std::ranges::all_of(pose.probes, [&](const deform::ProbePose& p) {
+         std::ranges::all_of(pose.probes, [&](const pose::ProbePose& p) {
            return turned(p.turn) && drawn(p.move) && is_probe_stretch(p.stretch);
          });
 }
 
 // A missing turn counts as 0. When the pose is drawn, the turn gets a value of up to half a turn. Therefore
 // differences up to half a turn are ignored. Different whole turns differ by at least a full turn.
-bool same_pose(const deform::Pose& a, const deform::Pose& b) {
+bool same_pose(const pose::Pose& a, const pose::Pose& b) {
   if (a.positions != b.positions) return false;
-  const auto turn = [](const deform::Pose& pose, std::size_t part) {
-    return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};
+  const auto turn = [](const pose::Pose& pose, std::size_t part) {
+    return part < pose.turns.size() ? pose.turns[part] : mesh::Vec3{0, 0, 0};
   };
   for (std::size_t part = 0; part < std::max(a.turns.size(), b.turns.size()); ++part)
     if (!(mesh::norm(turn(a, part) - turn(b, part)) < std::numbers::pi + 1e-3)) return false;
@@ -150,8 +150,8 @@ void Animation::take_farthest(std::span<const mesh::Point> positions) {
 void Animation::add_shapes(VectorCache& vectors) {
   base::WorkerPool pool;
   shapes_ = vectors.shapes(pool);
-  std::shared_ptr<const deform::LogVector> before;
-  std::vector<deform::ShapeReport> reports;
+  std::shared_ptr<const shapes::LogVector> before;
+  std::vector<shapes::ShapeReport> reports;
   for (const PoseKey& key : timeline_.keys) {
     shape_vectors_.push_back(before = vectors.of(key.pose->shape, before, pool, reports.emplace_back()));
   }
@@ -181,14 +181,14 @@ WholePose Animation::blend(const Moment& moment, bool linear) const {
   pose.probes = blended_probes(probes);
   if (shapes_) pose.shape = blended_shape(moment, linear);
   if (!space_) return pose;
-  std::vector<deform::LogTerm> terms;
+  std::vector<shapes::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
   pose.cage = linear ? space_->linear(terms) : space_->pose(terms, held_[moment.from]);
   return pose;
 }
 
 SharedShape Animation::blended_shape(const Moment& moment, bool linear) const {
-  std::vector<deform::LogTerm> terms;
+  std::vector<shapes::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({shape_vectors_[key].get(), factor});
   base::WorkerPool pool;
   return blended(*shapes_, terms, linear ? nullptr : &held_shapes_[moment.from], pool);
@@ -196,13 +196,13 @@ SharedShape Animation::blended_shape(const Moment& moment, bool linear) const {
 
 namespace {
 
-void keep_still(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
+void keep_still(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
                 std::vector<mesh::Point>& positions) {
   const auto& rest = space.rest();
   double size = 0;
   for (const mesh::Point& p : rest) size = std::max(size, mesh::largest_abs(p));
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    const auto rests = [&](const deform::LogTerm& term) {
+    const auto rests = [&](const shapes::LogTerm& term) {
       return mesh::largest_abs(space.ways(*term.vector)[v]) == 0;
     };
     if (mesh::largest_abs(positions[v] - rest[v]) <= 1e-14 * size && std::ranges::all_of(terms, rests))
@@ -212,12 +212,12 @@ void keep_still(const deform::ShapeSpace& space, std::span<const deform::LogTerm
 
 }  // namespace
 
-void keep_flat(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
+void keep_flat(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
                std::span<mesh::Point> positions) {
   const auto& rest = space.rest();
   for (std::size_t k = 0; k < 3; ++k) {
     const auto stays = [k](const mesh::Vec3& way) { return way[k] == 0; };
-    const auto is_flat = [&](const deform::LogTerm& term) {
+    const auto is_flat = [&](const shapes::LogTerm& term) {
       return std::ranges::all_of(space.ways(*term.vector), stays);
     };
     const bool flat = std::ranges::all_of(rest, [&](const mesh::Point& p) { return p[k] == rest[0][k]; });
@@ -226,11 +226,11 @@ void keep_flat(const deform::ShapeSpace& space, std::span<const deform::LogTerm>
   }
 }
 
-SharedShape blended(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
-                    const deform::Held* held, base::WorkerPool& pool) {
+SharedShape blended(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
+                    const shapes::Held* held, base::WorkerPool& pool) {
   std::vector<mesh::Point> positions(space.rest().size());
   if (held) {
-    deform::LogSpace::Work work;
+    shapes::LogSpace::Work work;
     space.shape(terms, *held, pool, work, positions);
   } else {
     space.linear(terms, positions);
@@ -240,16 +240,16 @@ SharedShape blended(const deform::ShapeSpace& space, std::span<const deform::Log
   return std::make_shared<const std::vector<mesh::Point>>(std::move(positions));
 }
 
-SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
+SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
                   base::WorkerPool& pool, std::vector<std::string>* notes) {
   std::vector<ShapeTerm> moving;
   for (const ShapeTerm& term : terms)
     if (term.shape && term.factor != 0) moving.push_back(term);
   if (moving.empty()) return std::make_shared<const std::vector<mesh::Point>>(space.rest());
   if (moving.size() == 1 && moving.front().factor == 1) return moving.front().shape;
-  std::vector<deform::LogVector> vectors;
-  std::vector<deform::LogTerm> sum;
-  std::vector<deform::ShapeReport> reports(moving.size());
+  std::vector<shapes::LogVector> vectors;
+  std::vector<shapes::LogTerm> sum;
+  std::vector<shapes::ShapeReport> reports(moving.size());
   vectors.reserve(moving.size());
   for (std::size_t i = 0; i < moving.size(); ++i) {
     vectors.push_back(space.vector(*moving[i].shape, pool, nullptr, &reports[i]));
@@ -257,18 +257,18 @@ SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> te
   }
   if (notes && !linear) *notes = shape_notes(reports);
   if (linear) return blended(space, sum, nullptr, pool);
-  const deform::Held held = space.logs().held_from(space.logs().at_rest(), sum);
+  const shapes::Held held = space.logs().held_from(space.logs().at_rest(), sum);
   return blended(space, sum, &held, pool);
 }
 
-std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports) {
+std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports) {
   std::size_t folded = 0, torn = 0, of_folded = 0, of_torn = 0;
-  for (const deform::ShapeReport& report : reports) {
+  for (const shapes::ShapeReport& report : reports) {
     folded = std::max(folded, report.folded), of_folded += report.folded > 0;
     torn = std::max(torn, report.torn), of_torn += report.torn > 0;
   }
   std::vector<std::string> notes;
-  const bool coarse = std::ranges::any_of(reports, &deform::ShapeReport::coarse);
+  const bool coarse = std::ranges::any_of(reports, &shapes::ShapeReport::coarse);
   const auto text = [coarse](std::size_t most, std::size_t shapes) {
     const std::string number = base::with_thousands(most) + (coarse ? " of a coarse model" : "");
     return shapes == 1 ? number : "up to " + number + " in each of " + base::counted(shapes, "shape");

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "deform/pose_space.h"
-#include "deform/shape_space.h"
 #include "document/document_state.h"
 #include "document/timeline.h"
+#include "shapes/pose_space.h"
+#include "shapes/shape_space.h"
 
 namespace viete::document {
 
@@ -21,43 +21,43 @@ struct ShapeTerm {
 };
 
 /// Returns the sum of the terms. If `held` is null, blends vertex positions linearly. Otherwise blends in log
-/// space, and applies deform::hold(). A vertex that is at rest in all terms stays exactly at rest.
-SharedShape blended(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
-                    const deform::Held* held, base::WorkerPool& pool);
+/// space, and applies shapes::hold(). A vertex that is at rest in all terms stays exactly at rest.
+SharedShape blended(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
+                    const shapes::Held* held, base::WorkerPool& pool);
 
 /// If all rest vertices have the same x, and no term changes x, sets x of all positions to exactly this
 /// value. Does the same for y and z.
-void keep_flat(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
+void keep_flat(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
                std::span<mesh::Point> positions);
 
 /// Returns the rest shape plus the weighted shapes, blended linearly if `linear`, otherwise in log space.
 /// Returns a single shape of factor 1 unchanged. Throws base::Error if a shape does not fit the model.
-SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
+SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
 /// Returns messages about problems in the shapes, for the user.
-std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports);
+std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports);
 
-/// Caches the log vectors (deform::LogVector) of one cage's poses and of one model's shapes. Not thread-safe.
+/// Caches the log vectors (shapes::LogVector) of one cage's poses and of one model's shapes. Not thread-safe.
 class VectorCache {
 public:
   /// Sets the cage, which may be null. Clears the cached poses if the cage changed.
-  void follow(const std::shared_ptr<const deform::Cage>& cage);
+  void follow(const std::shared_ptr<const pose::Cage>& cage);
   /// Sets the model. Clears the cached shapes if the model changed.
   void follow_model(const std::shared_ptr<const mesh::Surface>& model);
   /// Returns the pose space of the cage, or null without a cage.
-  const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
+  const std::shared_ptr<const shapes::PoseSpace>& space() const { return space_; }
   /// Returns PoseSpace::vector(); null without a cage. Caches the result while other code owns the pose.
-  std::shared_ptr<const deform::LogVector> of(const SharedPose& pose,
+  std::shared_ptr<const shapes::LogVector> of(const SharedPose& pose,
                                               std::span<const mesh::Vec3> turns_before = {});
 
   /// Returns the shape space. Requires a model. The first call creates the space and can throw base::Error.
-  const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
+  const std::shared_ptr<const shapes::ShapeSpace>& shapes(base::WorkerPool& pool);
   /// Returns ShapeSpace::vector() of the shape, and throws its errors. A null shape is the rest shape.
   /// `before` is the vector of the preceding shape. Caches the result while other code owns the shape.
-  std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
-                                              const std::shared_ptr<const deform::LogVector>& before,
-                                              base::WorkerPool& pool, deform::ShapeReport& report);
+  std::shared_ptr<const shapes::LogVector> of(const SharedShape& shape,
+                                              const std::shared_ptr<const shapes::LogVector>& before,
+                                              base::WorkerPool& pool, shapes::ShapeReport& report);
   /// Adds the cached shapes of `others`. If the two caches have different models, does nothing.
   void take(VectorCache&& others);
 
@@ -65,22 +65,22 @@ private:
   struct Known {
     SharedPose pose;
     std::vector<mesh::Vec3> turns_before;
-    std::shared_ptr<const deform::LogVector> vector;
+    std::shared_ptr<const shapes::LogVector> vector;
   };
-  std::shared_ptr<const deform::Cage> cage_;
-  std::shared_ptr<const deform::PoseSpace> space_;
+  std::shared_ptr<const pose::Cage> cage_;
+  std::shared_ptr<const shapes::PoseSpace> space_;
   std::map<const WholePose*, Known> known_;
 
   struct VectorAfter {
-    std::shared_ptr<const deform::LogVector> before, vector;
-    deform::ShapeReport report;
+    std::shared_ptr<const shapes::LogVector> before, vector;
+    shapes::ShapeReport report;
   };
   struct KnownShape {
     SharedShape shape;
     std::vector<VectorAfter> after;  // one vector for each preceding shape
   };
   std::shared_ptr<const mesh::Surface> model_;
-  std::shared_ptr<const deform::ShapeSpace> shapes_;
+  std::shared_ptr<const shapes::ShapeSpace> shapes_;
   std::map<const void*, KnownShape> known_shapes_;
 };
 
@@ -112,13 +112,13 @@ private:
 
   Timeline timeline_;
   double farthest_ = most_drawn;  // largest allowed coordinate: max(most_drawn, all keys' coordinates)
-  std::shared_ptr<const deform::PoseSpace> space_;
-  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
-  std::vector<deform::Held> held_;                                 // one per interval between keys
+  std::shared_ptr<const shapes::PoseSpace> space_;
+  std::vector<std::shared_ptr<const shapes::LogVector>> vectors_;  // one per key; null without a cage
+  std::vector<shapes::Held> held_;                                 // one per interval between keys
 
-  std::shared_ptr<const deform::ShapeSpace> shapes_;  // null if no key has a shape
-  std::vector<std::shared_ptr<const deform::LogVector>> shape_vectors_;
-  std::vector<deform::Held> held_shapes_;
+  std::shared_ptr<const shapes::ShapeSpace> shapes_;  // null if no key has a shape
+  std::vector<std::shared_ptr<const shapes::LogVector>> shape_vectors_;
+  std::vector<shapes::Held> held_shapes_;
   std::vector<std::string> notes_;
 };
 

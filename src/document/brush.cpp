@@ -21,7 +21,7 @@ std::vector<float> shares_of(const Document& document) {
   return std::vector<float>(document.model().surface->positions.size(), 1.0f);
 }
 
-deform::Mask mask_of(const std::vector<float>& shares) {
+weights::Mask mask_of(const std::vector<float>& shares) {
   const bool whole = std::ranges::all_of(shares, [](float s) { return s == 1; });
   return whole ? nullptr : std::make_shared<const std::vector<float>>(shares);
 }
@@ -105,18 +105,18 @@ void MaskStroke::cancel(Document& document) const {
   document.put_mask(before_.mask);
 }
 
-bool same_mask(const deform::Mask& a, const deform::Mask& b) {
+bool same_mask(const weights::Mask& a, const weights::Mask& b) {
   return a == b || (a && b && *a == *b);
 }
 
-void set_mask(Document& document, deform::Mask mask, const char* label) {
+void set_mask(Document& document, weights::Mask mask, const char* label) {
   if (mask) mask = mask_of(*mask);
   if (same_mask(mask, document.mask())) return;
   record_edit(document, label);
   document.put_mask(std::move(mask));
 }
 
-deform::Mask inverted(const Document& document) {
+weights::Mask inverted(const Document& document) {
   std::vector<float> shares = shares_of(document);
   for (float& s : shares) s = stepped(1 - s);
   return mask_of(shares);

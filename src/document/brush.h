@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "deform/rows.h"
 #include "document/camera.h"
 #include "document/document.h"
+#include "pose/rows.h"
 
 namespace viete::document {
 
@@ -20,7 +20,7 @@ struct Brush {
 
 /// The last deformed model, in the vertex layout of the GPU. If there are no vertices, the model is at rest.
 struct PosedModel {
-  std::span<const deform::FrameVertex> vertices{};
+  std::span<const pose::FrameVertex> vertices{};
   mesh::Point origin{0, 0, 0};
   unsigned long frame = 0;  ///< changes with each deformation of the model
 
@@ -62,10 +62,10 @@ private:
   std::vector<float> shares_, covered_;
 };
 
-bool same_mask(const deform::Mask& a, const deform::Mask& b);
+bool same_mask(const weights::Mask& a, const weights::Mask& b);
 /// Sets the mask as an undoable edit. `mask` has one value per model vertex; null means 1 everywhere.
-void set_mask(Document& document, deform::Mask mask, const char* label);
+void set_mask(Document& document, weights::Mask mask, const char* label);
 /// Returns the mask with each value s replaced by 1 - s.
-deform::Mask inverted(const Document& document);
+weights::Mask inverted(const Document& document);
 
 }  // namespace viete::document

@@ -31,9 +31,9 @@ struct Follow {
 };
 
 // Transfers a pose to the edited cage. If the number of parts is unchanged, keeps the parts' whole turns.
-deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
-                     const deform::Cage& after, const Follow& follow) {
-  deform::Pose now;
+pose::Pose carried(const pose::Cage& before, const pose::Pose& pose, const cages::Edited& edited,
+                   const pose::Cage& after, const Follow& follow) {
+  pose::Pose now;
   if (before.roots.size() == after.roots.size()) now.turns = pose.turns;
   for (std::size_t v = 0; v < edited.origins.size(); ++v) {
     const cages::Origin& origin = edited.origins[v];
@@ -50,12 +50,11 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
 // cage. If `label` is empty, the change becomes part of the last edit.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
-  auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
-  deform::Pose real = carried(*document.cage(), real_pose(document), edited, *cage, follow);
+  auto cage = std::make_shared<const pose::Cage>(pose::make_cage(edited.surface));
+  pose::Pose real = carried(*document.cage(), real_pose(document), edited, *cage, follow);
   label.empty() ? document.changed_history().extend_last() : record_edit(document, label);
-  carry_poses(document, [&](const deform::Pose& pose) {
-    return carried(*document.cage(), pose, edited, *cage, follow);
-  });
+  carry_poses(document,
+              [&](const pose::Pose& pose) { return carried(*document.cage(), pose, edited, *cage, follow); });
   const bool editing = is_editing_cage(document);
   std::vector<std::span<const std::uint32_t>> origins;
   for (const cages::Origin& origin : edited.origins) origins.emplace_back(origin.of);
@@ -63,7 +62,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   const ElementKind kind = document.selection().kind();
   OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file()));
   if (editing) document.changed_source().kept = real;
-  document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
+  document.replace_cage(std::move(file), cage, editing ? pose::rest_pose(*cage) : std::move(real));
   document.changed_groups() = std::move(groups);
   if (kind == ElementKind::probe) return;
   const Selection made(ElementKind::vertex, edited.selection);
@@ -97,8 +96,7 @@ void require(bool any, const char* what, const char* advice) {
 
 void begin_cage_editing(Document& document) {
   record_edit(document, "edit cage");
-  document.changed_source().kept =
-      std::exchange(document.changed_pose(), deform::rest_pose(*document.cage()));
+  document.changed_source().kept = std::exchange(document.changed_pose(), pose::rest_pose(*document.cage()));
   if (document.selection().kind() == ElementKind::probe)
     document.changed_selection() = Selection(ElementKind::vertex);
 }

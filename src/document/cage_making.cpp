@@ -22,10 +22,10 @@ bool can_replace_generated(const Document& document, const CageMaking& making) {
 }
 
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
-                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
+                   std::shared_ptr<const pose::Cage> cage, std::vector<std::string> notes) {
   const bool again = shows_generated(document, making);
   record_step(document, "make cage", make_cage, again);
-  deform::Pose pose = deform::rest_pose(*cage);
+  pose::Pose pose = pose::rest_pose(*cage);
   making.made = cage;
   making.notes = std::move(notes);
   if (!again) making.lost.clear();

@@ -20,10 +20,10 @@ struct CageMaking {
   bool open = false;
   bool closing = false;  ///< true after confirmation, until the cage of full quality is ready
   CageWish wish;
-  std::vector<std::string> notes{};              ///< messages about the last generated cage
-  std::vector<std::string> lost{};               ///< messages about lost sets, poses and keys
-  std::shared_ptr<const deform::Cage> made{};    ///< the last generated cage
-  std::shared_ptr<const deform::Cage> before{};  ///< the document's cage when the panel was opened
+  std::vector<std::string> notes{};            ///< messages about the last generated cage
+  std::vector<std::string> lost{};             ///< messages about lost sets, poses and keys
+  std::shared_ptr<const pose::Cage> made{};    ///< the last generated cage
+  std::shared_ptr<const pose::Cage> before{};  ///< the document's cage when the panel was opened
 };
 
 /// True if the document has the last generated cage.
@@ -34,7 +34,7 @@ bool can_replace_generated(const Document& document, const CageMaking& making);
 
 /// Puts the generated cage into the document, at rest. Undoable. Consecutive generated cages form one edit.
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
-                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
+                   std::shared_ptr<const pose::Cage> cage, std::vector<std::string> notes);
 
 /// Undoes edits until the document has the cage from before the panel was opened.
 void cancel_making(Document& document, CageMaking& making);

@@ -197,8 +197,8 @@ namespace {
 
 // Returns the signed volume of each part, divided by the cube of the cage's diagonal. If the faces of a part
 // point outward, its volume is positive.
-std::vector<double> volumes(const deform::Cage& cage, std::span<const mesh::Point> of_vertices) {
-  const std::vector<mesh::Point> positions = deform::with_centers(cage, of_vertices);
+std::vector<double> volumes(const pose::Cage& cage, std::span<const mesh::Point> of_vertices) {
+  const std::vector<mesh::Point> positions = pose::with_centers(cage, of_vertices);
   const auto& triangles = cage.elements.triangles;
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
@@ -211,7 +211,7 @@ std::vector<double> volumes(const deform::Cage& cage, std::span<const mesh::Poin
   return all;
 }
 
-std::size_t parts_inside_out(const deform::Cage& cage, const deform::Pose& pose) {
+std::size_t parts_inside_out(const pose::Cage& cage, const pose::Pose& pose) {
   if (!cage.closed) return 0;
   const auto rest = volumes(cage, cage.surface.positions), posed = volumes(cage, pose.positions);
   std::size_t count = 0;
@@ -231,8 +231,8 @@ std::string inside_out_note(std::size_t count, std::size_t parts) {
 
 }  // namespace
 
-std::vector<std::string> pose_notes(const deform::LogReport& report, const deform::Cage& cage,
-                                    const deform::Pose& pose) {
+std::vector<std::string> pose_notes(const pose::LogReport& report, const pose::Cage& cage,
+                                    const pose::Pose& pose) {
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
     const Elements faces = faces_of(cage.elements, report.collapsed);
@@ -254,8 +254,8 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
   return notes;
 }
 
-std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
-                                                     const deform::Cage& cage, std::size_t most) {
+std::vector<std::array<std::uint32_t, 2>> torn_edges(const pose::LogReport& report, const pose::Cage& cage,
+                                                     std::size_t most) {
   const auto& triangles = cage.elements.triangles;
   std::vector<std::array<std::uint32_t, 2>> edges;
   for (const auto& [a, b] : report.torn | std::views::take(most)) {

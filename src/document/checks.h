@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "deform/maps.h"
 #include "document/document.h"
 #include "mesh/summary.h"
+#include "pose/maps.h"
 
 namespace viete::document {
 
@@ -67,12 +67,12 @@ std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage
                            base::Progress* progress = nullptr);
 
 /// Returns one message per kind of problem in a pose, with the number of places and the first place.
-std::vector<std::string> pose_notes(const deform::LogReport& report, const deform::Cage& cage,
-                                    const deform::Pose& pose);
+std::vector<std::string> pose_notes(const pose::LogReport& report, const pose::Cage& cage,
+                                    const pose::Pose& pose);
 
 /// `report.torn` lists pairs of neighbouring triangles that rotate strongly relative to each other. For the
 /// first `most` pairs, returns the common edge of the two triangles, as a pair of vertices.
-std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
-                                                     const deform::Cage& cage, std::size_t most);
+std::vector<std::array<std::uint32_t, 2>> torn_edges(const pose::LogReport& report, const pose::Cage& cage,
+                                                     std::size_t most);
 
 }  // namespace viete::document

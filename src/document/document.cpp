@@ -5,9 +5,6 @@
 
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "deform/cage_state.h"
-#include "deform/maps.h"
-#include "deform/tiled_binding.h"
 #include "document/range.h"
 #include "formats/format_table.h"
 #include "formats/read.h"
@@ -15,6 +12,9 @@
 #include "formats/write.h"
 #include "mesh/triangle.h"
 #include "mesh/vector.h"
+#include "pose/cage_state.h"
+#include "pose/maps.h"
+#include "weights/tiled_binding.h"
 
 namespace viete::document {
 
@@ -157,16 +157,16 @@ void check_deformable(const Document& document) {
 }
 
 void set_cage(Document& document, OpenedSurface surface) {
-  std::shared_ptr<const deform::Cage> cage;
+  std::shared_ptr<const pose::Cage> cage;
   try {
-    cage = std::make_shared<const deform::Cage>(deform::make_cage(*surface.surface));
-  } catch (const deform::FinError& error) {
-    throw deform::FinError(place_of(surface), error.problem(), error.advice());
+    cage = std::make_shared<const pose::Cage>(pose::make_cage(*surface.surface));
+  } catch (const pose::FinError& error) {
+    throw pose::FinError(place_of(surface), error.problem(), error.advice());
   } catch (const base::Error& error) {
     throw base::Error(place_of(surface), error.problem(), error.advice());
   }
   if (!surface.path.empty()) document.changed_also_read().push_back({surface.path, the_cage});
-  deform::Pose rest = deform::rest_pose(*cage);
+  pose::Pose rest = pose::rest_pose(*cage);
   document.replace_cage(std::move(surface), std::move(cage), std::move(rest));
   document.changed_selection().clear();
   document.changed_history() = {};
@@ -191,7 +191,7 @@ void Document::mark_replacing(const Document& other) {
                 before.pose + 1,     before.method + 1, before.whole + 1};
 }
 
-void Document::replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed) {
+void Document::replace_cage(OpenedSurface file, std::shared_ptr<const pose::Cage> by, pose::Pose posed) {
   state_.cage_file = std::move(file);
   state_.cage = std::move(by);
   changed_pose() = std::move(posed);
@@ -207,8 +207,8 @@ void Document::put_saved_cage(const std::filesystem::path& file) {
   state_.cage_file.format = "saved here";
 }
 
-void Document::put_scheme(const deform::Scheme& other) {
-  const deform::Scheme old = std::exchange(state_.scheme, other);
+void Document::put_scheme(const pose::Scheme& other) {
+  const pose::Scheme old = std::exchange(state_.scheme, other);
   if (old.weighting != other.weighting) ++revisions_.weights;
   if (old.blend != other.blend || old.weighting.elements != other.weighting.elements ||
       old.amounts != other.amounts || old.iterations != other.iterations || old.holding != other.holding)
@@ -221,7 +221,7 @@ void Document::put_method(sym3::Method other) {
 
 void Document::restore(DocumentState&& state) {
   if (cage() != state.cage) ++revisions_.cage;
-  const deform::Scheme restored = std::exchange(state.scheme, scheme());
+  const pose::Scheme restored = std::exchange(state.scheme, scheme());
   state_ = std::move(state);
   ++revisions_.pose;
   ++revisions_.whole;
@@ -230,7 +230,7 @@ void Document::restore(DocumentState&& state) {
 }
 
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen) {
-  const deform::Scheme scheme = deform::scheme_of(asked, document.scheme(), chosen);
+  const pose::Scheme scheme = pose::scheme_of(asked, document.scheme(), chosen);
   if (asked.method) document.put_method(*asked.method);
   document.put_scheme(scheme);
 }
@@ -245,14 +245,13 @@ Carried carried_probe(const Document& document, std::size_t i) {
 
 mesh::Point probe_center(const Document& document, std::size_t i) {
   const Carried carried = carried_probe(document, i);
-  return carried.place + deform::times(carried.map, document.probes().all[i].pose.move);
+  return carried.place + pose::times(carried.map, document.probes().all[i].pose.move);
 }
 
 mesh::Point pinned_vertex(const Document& document, std::size_t i) {
   const Carried carried = carried_probe(document, i);
-  const deform::Probe& probe = document.probes().all[i];
-  return carried.place +
-         deform::times(carried.map, shape_of_vertex(document, probe.pin->vertex) - probe.place);
+  const pose::Probe& probe = document.probes().all[i];
+  return carried.place + pose::times(carried.map, shape_of_vertex(document, probe.pin->vertex) - probe.place);
 }
 
 std::vector<mesh::Point> probe_centers(const Document& document) {
@@ -261,12 +260,12 @@ std::vector<mesh::Point> probe_centers(const Document& document) {
   return centers;
 }
 
-std::string binding_plan(const Document& document, const deform::Weighting& weighting) {
+std::string binding_plan(const Document& document, const pose::Weighting& weighting) {
   const std::size_t vertices = document.model().surface->positions.size();
-  const std::size_t handles = deform::handle_count(*document.cage(), weighting.elements);
-  const std::size_t bytes = deform::binding_bytes(vertices, handles, deform::EngineKind::fused, weighting);
+  const std::size_t handles = pose::handle_count(*document.cage(), weighting.elements);
+  const std::size_t bytes = weights::binding_bytes(vertices, handles, pose::EngineKind::fused, weighting);
   return "Binding " + base::with_thousands(vertices) + " vertices to " + base::with_thousands(handles) + ' ' +
-         std::string(deform::name(weighting.elements)) + ", " + base::memory_size(static_cast<double>(bytes));
+         std::string(pose::name(weighting.elements)) + ", " + base::memory_size(static_cast<double>(bytes));
 }
 
 UpAxis guessed_up(const OpenedSurface& model) {

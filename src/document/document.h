@@ -11,10 +11,6 @@
 
 #include "base/error.h"
 #include "base/progress.h"
-#include "deform/binding.h"
-#include "deform/cage.h"
-#include "deform/probe.h"
-#include "deform/scheme.h"
 #include "document/camera.h"
 #include "document/document_state.h"
 #include "document/files_in_use.h"
@@ -23,16 +19,20 @@
 #include "document/space.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
+#include "pose/cage.h"
+#include "pose/probe.h"
+#include "pose/scheme.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
+#include "weights/binding.h"
 
 namespace viete::document {
 
-using deform::Amounts, deform::Blend, deform::Holding, deform::most_iterations, deform::number,
-    deform::Scheme, deform::text_of_percent, deform::Weighting;
-using deform::chosen, deform::complete, deform::linear_part, deform::only, deform::way_of;
-using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
+using pose::Amounts, pose::Blend, pose::Holding, pose::most_iterations, pose::number, pose::Scheme,
+    pose::text_of_percent, pose::Weighting;
+using pose::chosen, pose::complete, pose::linear_part, pose::only, pose::way_of;
+using pose::Falloff, pose::Influence, pose::Probe, pose::ProbePose;
 
 /// A counter of changes. Code stores it with computed data, to see later whether the data is up to date.
 using Revision = unsigned long;
@@ -62,16 +62,16 @@ public:
   explicit Document(OpenedSurface model);
 
   const DocumentState& state() const { return state_; }
-  const std::shared_ptr<const deform::Cage>& cage() const { return state_.cage; }
+  const std::shared_ptr<const pose::Cage>& cage() const { return state_.cage; }
   const OpenedSurface& cage_file() const { return state_.cage_file; }
-  const deform::Pose& pose() const { return state_.pose; }
+  const pose::Pose& pose() const { return state_.pose; }
   const SharedShape& shape() const { return state_.shape; }
   /// See source_of().
   const PoseSource& source() const { return state_.source; }
-  const std::optional<deform::Pose>& kept_pose() const { return state_.source.kept; }
-  const deform::Scheme& scheme() const { return state_.scheme; }
-  const deform::Mask& mask() const { return state_.mask; }
-  const deform::Probes& probes() const { return state_.probes; }
+  const std::optional<pose::Pose>& kept_pose() const { return state_.source.kept; }
+  const pose::Scheme& scheme() const { return state_.scheme; }
+  const weights::Mask& mask() const { return state_.mask; }
+  const pose::Probes& probes() const { return state_.probes; }
   const Selection& selection() const { return state_.selection; }
   const CageGroups& groups() const { return state_.groups; }
   const PoseLibrary& library() const { return state_.library; }
@@ -101,8 +101,8 @@ public:
   void mark_replacing(const Document& other);
 
   /// Give write access. Each call increases the revision.
-  deform::Pose& changed_pose() { return ++revisions_.pose, state_.pose; }
-  deform::Probes& changed_probes() { return ++revisions_.pose, state_.probes; }
+  pose::Pose& changed_pose() { return ++revisions_.pose, state_.pose; }
+  pose::Probes& changed_probes() { return ++revisions_.pose, state_.probes; }
   /// Give write access to what no revision counts.
   PoseSource& changed_source() { return state_.source; }
   Selection& changed_selection() { return state_.selection; }
@@ -113,7 +113,7 @@ public:
   std::vector<FileInUse>& changed_also_read() { return opened_.also_read; }
 
   void put_frame(double frame) { state_.frame = frame; }
-  void put_mask(deform::Mask mask) { state_.mask = std::move(mask); }
+  void put_mask(weights::Mask mask) { state_.mask = std::move(mask); }
   /// Sets the shape from the timeline, the pose list or undo. Null is the rest shape.
   void put_shape(SharedShape other) {
     state_.shape = std::move(other), ++revisions_.pose, ++revisions_.whole;
@@ -123,13 +123,13 @@ public:
   /// Replaces the model. The cage stays.
   void put_model(OpenedSurface model);
   /// Replaces the cage and its pose. Clears selected cage elements, hidden vertices and named sets.
-  void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
+  void replace_cage(OpenedSurface file, std::shared_ptr<const pose::Cage> by, pose::Pose posed);
   /// Set the file of the cage or the model after it was saved.
   void put_saved_cage(const std::filesystem::path& file);
   void put_saved_model(const std::filesystem::path& file) { opened_.model.path = file; }
   void put_cage_beside(std::filesystem::path file) { opened_.cage_beside = std::move(file); }
   /// Change a setting without recording an edit.
-  void put_scheme(const deform::Scheme& other);
+  void put_scheme(const pose::Scheme& other);
   void put_method(sym3::Method other);
   void restore(DocumentState&& state);
 
@@ -163,7 +163,7 @@ void check_drawable(const Document& document);
 /// Throws base::Error if a size is above 1e60 or below 1e-60: the deformation would overflow or underflow.
 /// Also for a capture; see formats::check_deformable().
 void check_deformable(const Document& document);
-/// Sets the cage at rest and clears the history. Throws base::Error or deform::FinError for invalid cages.
+/// Sets the cage at rest and clears the history. Throws base::Error or pose::FinError for invalid cages.
 void set_cage(Document& document, OpenedSurface cage);
 
 /// Reads a model and a cage into a new document. The path of the cage may be empty. Throws base::Error.
@@ -171,12 +171,12 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
                        base::Progress* progress = nullptr);
 
 /// The settings that were requested before a document is opened.
-struct RequestedSettings : deform::AskedScheme {
+struct RequestedSettings : pose::AskedScheme {
   std::optional<sym3::Method> method{};
 
   bool any() const { return method || AskedScheme::any(); }
 };
-/// Applies the settings without recording an edit. deform::scheme_of() describes `chosen` and the errors.
+/// Applies the settings without recording an edit. pose::scheme_of() describes `chosen` and the errors.
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 /// True during cage editing (cage_editing.h). During cage editing, document.pose is the rest shape that the
@@ -186,7 +186,7 @@ inline bool is_editing_cage(const Document& document) {
 }
 
 /// Returns the cage's pose, during cage editing too.
-inline const deform::Pose& real_pose(const Document& document) {
+inline const pose::Pose& real_pose(const Document& document) {
   return document.kept_pose() ? *document.kept_pose() : document.pose();
 }
 
@@ -199,7 +199,7 @@ std::vector<mesh::Point> probe_centers(const Document& document);
 mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 
 /// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.
-std::string binding_plan(const Document& document, const deform::Weighting& weighting);
+std::string binding_plan(const Document& document, const pose::Weighting& weighting);
 
 /// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing). For
 /// other formats, compares the bases on which the model stands with Y up and with Z up. Returns Z if the base

@@ -9,10 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "deform/binding.h"
-#include "deform/cage.h"
-#include "deform/probe.h"
-#include "deform/scheme.h"
 #include "document/range.h"
 #include "document/selection.h"
 #include "document/timeline.h"
@@ -20,6 +16,10 @@
 #include "formats/original.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
+#include "pose/cage.h"
+#include "pose/probe.h"
+#include "pose/scheme.h"
+#include "weights/binding.h"
 
 namespace viete::document {
 
@@ -58,23 +58,23 @@ struct PoseSource {
     rest     ///< cage editing, which shows the cage at rest
   };
   Kind kind = Kind::edited;
-  SharedPose pose{};                   ///< the pose that the source has computed; null for `edited`
-  SharedPose base{};                   ///< of a mix: the pose without the weighted poses; null if unknown
-  bool keyed = false;                  ///< the keys give this pose at the current frame, too
-  std::optional<deform::Pose> kept{};  ///< during cage editing, the cage's pose, which is not shown
+  SharedPose pose{};                 ///< the pose that the source has computed; null for `edited`
+  SharedPose base{};                 ///< of a mix: the pose without the weighted poses; null if unknown
+  bool keyed = false;                ///< the keys give this pose at the current frame, too
+  std::optional<pose::Pose> kept{};  ///< during cage editing, the cage's pose, which is not shown
 };
 
 /// A term of blended_probes(): the poses of all probes, and their factor. Missing probes are at rest.
 struct ProbeTerm {
-  const std::vector<deform::ProbePose>* poses;
+  const std::vector<pose::ProbePose>* poses;
   double factor;
 };
-std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
+std::vector<pose::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
 
 /// True if the pose is in the ranges of document/range.h and no coordinate is larger than `farthest`.
 bool in_range(const WholePose& pose, double farthest = most_drawn);
 /// True if the positions and the whole turns are equal.
-bool same_pose(const deform::Pose& a, const deform::Pose& b);
+bool same_pose(const pose::Pose& a, const pose::Pose& b);
 /// True if cage, shape and probes are equal. Missing probes are at rest.
 bool same_pose(const WholePose& a, const WholePose& b);
 
@@ -106,14 +106,14 @@ OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
 /// Copies of a state share surfaces, named poses, keys and masks. Only pose and selection are duplicated.
 struct DocumentState {
-  std::shared_ptr<const deform::Cage> cage;  ///< null without a cage
-  OpenedSurface cage_file;                   ///< its surface is null without a cage
-  deform::Pose pose;
+  std::shared_ptr<const pose::Cage> cage;  ///< null without a cage
+  OpenedSurface cage_file;                 ///< its surface is null without a cage
+  pose::Pose pose;
   SharedShape shape;  ///< the model's shape before cage and probes act; null at rest
   PoseSource source;
-  deform::Scheme scheme = deform::default_scheme();
-  deform::Mask mask;  ///< one value per model vertex; if null, every vertex follows the cage
-  deform::Probes probes;
+  pose::Scheme scheme = pose::default_scheme();
+  weights::Mask mask;  ///< one value per model vertex; if null, every vertex follows the cage
+  pose::Probes probes;
   Selection selection;
   CageGroups groups;
   PoseLibrary library;

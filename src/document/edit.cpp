@@ -20,7 +20,7 @@ EditStep binding_step(Setting setting) {
 
 template <class Place, class Value>
 void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
-  deform::Scheme scheme = document.scheme();
+  pose::Scheme scheme = document.scheme();
   if (std::exchange(*place(scheme), value) == value) return;
   record_step(document, label, step);
   document.put_scheme(scheme);
@@ -29,10 +29,10 @@ void slide(Document& document, const char* label, EditStep step, const Value& va
 }  // namespace
 
 bool differs_from_rest(const Document& document) {
-  const auto acts = [](const deform::Probe& p) { return !p.locked && p.pose != deform::ProbePose{}; };
+  const auto acts = [](const pose::Probe& p) { return !p.locked && p.pose != pose::ProbePose{}; };
   if (document.shape() || std::ranges::any_of(document.probes().all, acts)) return true;
   if (!document.has_cage()) return false;
-  const auto turned = [](const deform::Vec3& t) { return mesh::squared_norm(t) > 1; };
+  const auto turned = [](const mesh::Vec3& t) { return mesh::squared_norm(t) > 1; };
   return document.pose().positions != document.cage()->surface.positions ||
          std::ranges::any_of(document.pose().turns, turned);
 }
@@ -41,8 +41,8 @@ void reset_pose(Document& document) {
   record_edit(document, "reset pose");
   end_mix(document);
   document.put_shape(nullptr);
-  if (document.has_cage()) document.changed_pose() = deform::rest_pose(*document.cage());
-  for (deform::Probe& probe : document.changed_probes().all) {
+  if (document.has_cage()) document.changed_pose() = pose::rest_pose(*document.cage());
+  for (pose::Probe& probe : document.changed_probes().all) {
     if (!probe.locked) probe.pose = {};
   }
 }
@@ -63,7 +63,7 @@ void select_kind(Document& document, ElementKind kind) {
                               : Selection(kind));
 }
 
-void set_scheme(Document& document, const deform::Scheme& scheme) {
+void set_scheme(Document& document, const pose::Scheme& scheme) {
   if (document.scheme() == scheme) return;
   record_edit(document, "change blending", binding_step(Setting::blending));
   document.put_scheme(scheme);
@@ -71,25 +71,25 @@ void set_scheme(Document& document, const deform::Scheme& scheme) {
 
 void set_radius(Document& document, double radius) {
   slide(document, "change radius", binding_step(Setting::radius), radius,
-        [](deform::Scheme& scheme) { return &scheme.weighting.radius; });
+        [](pose::Scheme& scheme) { return &scheme.weighting.radius; });
 }
 
-void set_amounts(Document& document, const deform::Amounts& amounts) {
+void set_amounts(Document& document, const pose::Amounts& amounts) {
   slide(document, "change rotation and stretch amounts", {EditKind::amounts}, amounts,
-        [](deform::Scheme& scheme) { return &scheme.amounts; });
+        [](pose::Scheme& scheme) { return &scheme.amounts; });
 }
 
 void set_iterations(Document& document, int iterations) {
   slide(document, "change ARAP", binding_step(Setting::iterations), iterations,
-        [](deform::Scheme& scheme) { return &scheme.iterations; });
+        [](pose::Scheme& scheme) { return &scheme.iterations; });
 }
 
-void set_holding(Document& document, const deform::Holding& holding) {
+void set_holding(Document& document, const pose::Holding& holding) {
   slide(document, "change ARAP constraints", binding_step(Setting::holding), holding,
-        [](deform::Scheme& scheme) { return &scheme.holding; });
+        [](pose::Scheme& scheme) { return &scheme.holding; });
 }
 
-void revert_scheme(Document& document, const deform::Scheme& instead) {
+void revert_scheme(Document& document, const pose::Scheme& instead) {
   History& history = document.changed_history();
   const auto last = history.last_step();
   if (last && last->kind == EditKind::binding) {

@@ -19,16 +19,16 @@ void reset_selected(Document& document, const Mirror* mirror = nullptr);
 /// selected. If the old or the new kind is `probe`, clears the selection. Undoable.
 void select_kind(Document& document, ElementKind kind);
 
-void set_scheme(Document& document, const deform::Scheme& scheme);
+void set_scheme(Document& document, const pose::Scheme& scheme);
 
 /// Set one setting of the deformer. Undoable. Consecutive changes of one setting form one edit.
 void set_radius(Document& document, double radius);
-void set_amounts(Document& document, const deform::Amounts& amounts);
-/// Sets Scheme::iterations, at most deform::most_iterations. 0 turns ARAP off. ARAP requires a
+void set_amounts(Document& document, const pose::Amounts& amounts);
+/// Sets Scheme::iterations, at most pose::most_iterations. 0 turns ARAP off. ARAP requires a
 /// scheme with Scheme::has_maps().
 void set_iterations(Document& document, int iterations);
-void set_holding(Document& document, const deform::Holding& holding);
+void set_holding(Document& document, const pose::Holding& holding);
 /// Sets the scheme to `instead` after binding failed. If the last edit changed the scheme, removes the edit.
-void revert_scheme(Document& document, const deform::Scheme& instead);
+void revert_scheme(Document& document, const pose::Scheme& instead);
 
 }  // namespace viete::document

@@ -20,25 +20,25 @@ Marks marked(std::size_t count, std::span<const std::uint32_t> some) {
   return marks;
 }
 
-Marks marks_of(const deform::Cage& cage, const Selection& selection) {
+Marks marks_of(const pose::Cage& cage, const Selection& selection) {
   return marked(cage.surface.positions.size(), selected_vertices(cage, selection));
 }
 
 // Returns the elements with marked vertices. `holds` is std::ranges::all_of if all vertices of an element
 // must be marked, or std::ranges::any_of if one marked vertex is sufficient.
 template <class Holds>
-Selection elements_with(const deform::Cage& cage, ElementKind kind, const Marks& marks, const Holds& holds) {
+Selection elements_with(const pose::Cage& cage, ElementKind kind, const Marks& marks, const Holds& holds) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < element_count(cage, kind); ++i)
     if (holds(element_vertices(cage, kind, i), [&](auto v) { return marks[v] != 0; })) found.push_back(i);
   return Selection(kind, found);
 }
 
-Selection within(const deform::Cage& cage, ElementKind kind, const Marks& marks) {
+Selection within(const pose::Cage& cage, ElementKind kind, const Marks& marks) {
   return elements_with(cage, kind, marks, std::ranges::all_of);
 }
 
-Marks touched_by(const deform::Cage& cage, const Selection& selection) {
+Marks touched_by(const pose::Cage& cage, const Selection& selection) {
   const Marks own = marks_of(cage, selection);
   Marks touched = own;
   if (selection.kind() != ElementKind::vertex) return touched;
@@ -49,7 +49,7 @@ Marks touched_by(const deform::Cage& cage, const Selection& selection) {
 
 }  // namespace
 
-std::size_t element_count(const deform::Cage& cage, ElementKind kind) {
+std::size_t element_count(const pose::Cage& cage, ElementKind kind) {
   switch (kind) {
     case ElementKind::vertex: return cage.surface.positions.size();
     case ElementKind::edge: return cage.edges.size();
@@ -64,7 +64,7 @@ std::size_t element_count(const Document& document, ElementKind kind) {
   return document.has_cage() ? element_count(*document.cage(), kind) : 0;
 }
 
-std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKind kind, std::uint32_t index) {
+std::vector<std::uint32_t> element_vertices(const pose::Cage& cage, ElementKind kind, std::uint32_t index) {
   if (kind == ElementKind::probe) return {};
   if (kind == ElementKind::vertex) return {index};
   if (kind == ElementKind::edge) return {cage.edges[index].begin(), cage.edges[index].end()};
@@ -82,7 +82,7 @@ mesh::Point element_middle(const Document& document, ElementKind kind, std::uint
   return sum;
 }
 
-std::vector<std::uint32_t> selected_vertices(const deform::Cage& cage, const Selection& selection) {
+std::vector<std::uint32_t> selected_vertices(const pose::Cage& cage, const Selection& selection) {
   if (selection.kind() == ElementKind::vertex) return selection.indices();
   std::vector<std::uint32_t> vertices;
   for (const auto i : selection.indices()) {
@@ -94,11 +94,11 @@ std::vector<std::uint32_t> selected_vertices(const deform::Cage& cage, const Sel
   return vertices;
 }
 
-Selection converted(const deform::Cage& cage, const Selection& selection, ElementKind kind) {
+Selection converted(const pose::Cage& cage, const Selection& selection, ElementKind kind) {
   return kind == selection.kind() ? selection : within(cage, kind, marks_of(cage, selection));
 }
 
-Selection linked(const deform::Cage& cage, const Selection& selection) {
+Selection linked(const pose::Cage& cage, const Selection& selection) {
   mesh::UnionFind parts(cage.surface.positions.size());
   for (const auto& [a, b] : cage.edges) parts.join(a, b);
   Marks reached(cage.surface.positions.size(), 0), marks = reached;
@@ -107,12 +107,12 @@ Selection linked(const deform::Cage& cage, const Selection& selection) {
   return within(cage, selection.kind(), marks);
 }
 
-Selection grown(const deform::Cage& cage, const Selection& selection) {
+Selection grown(const pose::Cage& cage, const Selection& selection) {
   if (selection.kind() == ElementKind::probe) return selection;
   return elements_with(cage, selection.kind(), touched_by(cage, selection), std::ranges::any_of);
 }
 
-Selection shrunk(const deform::Cage& cage, const Selection& selection) {
+Selection shrunk(const pose::Cage& cage, const Selection& selection) {
   if (selection.kind() == ElementKind::probe) return selection;
   Selection others = selection, inner = selection;
   others.invert(element_count(cage, selection.kind()));

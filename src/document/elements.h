@@ -7,37 +7,37 @@
 #include <string>
 #include <vector>
 
-#include "deform/cage.h"
 #include "document/document.h"
 #include "document/selection.h"
+#include "pose/cage.h"
 
 namespace viete::document {
 
 /// Returns the number of elements of the cage; 0 for probes.
-std::size_t element_count(const deform::Cage& cage, ElementKind kind);
+std::size_t element_count(const pose::Cage& cage, ElementKind kind);
 /// Returns the number of elements of the document, including probes.
 std::size_t element_count(const Document& document, ElementKind kind);
 
 /// Returns the vertices of an element. A face's vertices are in polygon order; a probe has no vertices.
-std::vector<std::uint32_t> element_vertices(const deform::Cage& cage, ElementKind kind, std::uint32_t index);
+std::vector<std::uint32_t> element_vertices(const pose::Cage& cage, ElementKind kind, std::uint32_t index);
 
 /// Returns the mean of the element's vertices in the current pose, or the position of a probe.
 mesh::Point element_middle(const Document& document, ElementKind kind, std::uint32_t index);
 
 /// Returns the vertices of all selected elements, ascending and unique.
-std::vector<std::uint32_t> selected_vertices(const deform::Cage& cage, const Selection& selection);
+std::vector<std::uint32_t> selected_vertices(const pose::Cage& cage, const Selection& selection);
 
 /// Returns the elements of `kind` whose vertices are all in the selection.
-Selection converted(const deform::Cage& cage, const Selection& selection, ElementKind kind);
+Selection converted(const pose::Cage& cage, const Selection& selection, ElementKind kind);
 
 /// Returns the selection, and all elements that are connected with the selection by edges.
-Selection linked(const deform::Cage& cage, const Selection& selection);
+Selection linked(const pose::Cage& cage, const Selection& selection);
 
 /// Grows the selection by one ring. If vertices are selected, adds their neighbours along edges. If edges or
 /// faces are selected, adds all edges or faces at a vertex of the selection. Selected probes do not change.
-Selection grown(const deform::Cage& cage, const Selection& selection);
+Selection grown(const pose::Cage& cage, const Selection& selection);
 /// Shrinks the selection by one ring. At the boundary of an open cage, elements stay selected.
-Selection shrunk(const deform::Cage& cage, const Selection& selection);
+Selection shrunk(const pose::Cage& cage, const Selection& selection);
 
 /// Returns "vertex", "edge", "face" or "probe".
 std::string element_name(ElementKind kind);

@@ -42,8 +42,7 @@ void History::push(std::string label, DocumentState before, EditStep step) {
   undo_.push_back({std::move(label), std::move(before), step, recorded_});
 }
 
-void History::file_replaced(const std::filesystem::path& file,
-                            const std::shared_ptr<const deform::Cage>& by) {
+void History::file_replaced(const std::filesystem::path& file, const std::shared_ptr<const pose::Cage>& by) {
   for (auto* entries : {&undo_, &redo_, &given_up_}) {
     for (Entry& entry : *entries) {
       if (entry.state.cage_file.path != file || entry.state.cage == by) continue;

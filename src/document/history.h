@@ -41,7 +41,7 @@ public:
   unsigned long recorded() const { return recorded_; }
 
   /// Call this after saving the cage `by` to `file`. Removes this path from all other cages of the history.
-  void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
+  void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const pose::Cage>& by);
 
   bool can_undo() const { return !undo_.empty(); }
   bool can_redo() const { return !redo_.empty(); }

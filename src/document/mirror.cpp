@@ -13,7 +13,7 @@ namespace {
 
 constexpr double near_share = 0.02;  // relative to the diagonal; manual cages are not exactly symmetric
 
-Mirror paired(const deform::Cage& cage, const mesh::PointTree& tree, const cages::Plane& plane) {
+Mirror paired(const pose::Cage& cage, const mesh::PointTree& tree, const cages::Plane& plane) {
   const auto& points = cage.surface.positions;
   std::vector<std::uint32_t> image(points.size());
   for (std::uint32_t v = 0; v < points.size(); ++v) image[v] = tree.nearest(reflected(plane, points[v]));
@@ -25,7 +25,7 @@ Mirror paired(const deform::Cage& cage, const mesh::PointTree& tree, const cages
   return mirror;
 }
 
-std::vector<cages::Plane> candidates(const deform::Cage& cage, MirrorPlane choice) {
+std::vector<cages::Plane> candidates(const pose::Cage& cage, MirrorPlane choice) {
   if (choice == MirrorPlane::none) return {};
   if (choice == MirrorPlane::fit) {
     const auto plane = cages::symmetry_plane(cage.surface, nullptr);
@@ -51,7 +51,7 @@ std::size_t Mirror::unpaired() const {
   return static_cast<std::size_t>(std::ranges::count(partners, none));
 }
 
-std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice) {
+std::optional<Mirror> mirror_of(const pose::Cage& cage, MirrorPlane choice) {
   const std::vector<cages::Plane> planes = candidates(cage, choice);
   if (planes.empty()) return std::nullopt;
   const mesh::PointTree tree(cage.surface.positions, mesh::every_vertex(cage.surface));
@@ -87,7 +87,7 @@ std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<co
   return {corner(low[0], low[1]), corner(high[0], low[1]), corner(high[0], high[1]), corner(low[0], high[1])};
 }
 
-void MirrorCache::follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen) {
+void MirrorCache::follow(const std::shared_ptr<const pose::Cage>& now, MirrorPlane chosen) {
   if (now == cage && chosen == choice) return;
   cage = now;
   choice = chosen;

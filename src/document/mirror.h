@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cages/subject.h"
-#include "deform/cage.h"
 #include "document/handling.h"
+#include "pose/cage.h"
 
 namespace viete::document {
 
@@ -32,18 +32,18 @@ struct Mirror {
 /// the other, within 2 % of the cage's diagonal. For x, y and z, tests the planes at 0 and in the cage's
 /// middle, and takes the plane with more pairs. Returns nullopt if `choice`
 /// is `none`, or if it is `fit` and no plane is found.
-std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
+std::optional<Mirror> mirror_of(const pose::Cage& cage, MirrorPlane choice);
 
 /// Returns the corners of a rectangle in the mirror plane, slightly larger than the projection of the points.
 std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions);
 
 struct MirrorCache {
-  std::shared_ptr<const deform::Cage> cage;
+  std::shared_ptr<const pose::Cage> cage;
   MirrorPlane choice = MirrorPlane::none;
   std::optional<Mirror> mirror;
 
   /// If an argument changed, computes the mirror again. The cage may be null.
-  void follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen);
+  void follow(const std::shared_ptr<const pose::Cage>& now, MirrorPlane chosen);
   const Mirror* get() const { return mirror ? &*mirror : nullptr; }
 };
 

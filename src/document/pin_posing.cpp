@@ -44,7 +44,7 @@ bool is_mix(const Document& document) {
 
 PinPosing::Pins PinPosing::pins_of(const Document& document) {
   Pins now;
-  for (const deform::Probe& probe : document.probes().all) {
+  for (const pose::Probe& probe : document.probes().all) {
     if (!probe.pin) continue;
     now.pins.push_back(*probe.pin);
     now.targets.push_back(probe.place + probe.pose.move);
@@ -61,7 +61,7 @@ bool PinPosing::follow(Document& document, VectorCache& vectors, const Hand& han
   const bool put = std::exchange(whole_, document.revisions().whole) != document.revisions().whole;
   const bool freed = std::exchange(freedom_, hand.freedom) != hand.freedom;
   const bool moved = now.targets != seen_.targets &&
-                     std::ranges::equal(now.pins, seen_.pins, {}, &deform::Pin::vertex, &deform::Pin::vertex);
+                     std::ranges::equal(now.pins, seen_.pins, {}, &pose::Pin::vertex, &pose::Pin::vertex);
   seen_ = std::move(now);
   if (put) posing_.reset();
   if (put || seen_.pins.empty() || is_editing_cage(document)) {
@@ -89,7 +89,7 @@ void PinPosing::begin(const Document& document, VectorCache& known) {
   space_ = known.shapes(*pool_);
   examples_ = examples_of(document);
   vectors_.clear(), set_.clear();
-  deform::ShapeReport report;
+  shapes::ShapeReport report;
   for (const SharedPose& example : examples_)
     vectors_.push_back(known.of(example->shape, nullptr, *pool_, report));
   begin_here(document, known);
@@ -99,23 +99,23 @@ void PinPosing::begin(const Document& document, VectorCache& known) {
 void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape()) {
-    deform::ShapeReport report;
+    shapes::ShapeReport report;
     weights.assign(weights.size(), 0);
     weights.push_back(1);
     vectors_.push_back(known.of(document.shape(), nullptr, *pool_, report));
   }
-  std::vector<const deform::LogVector*> vectors;
+  std::vector<const shapes::LogVector*> vectors;
   for (const auto& vector : vectors_) vectors.push_back(vector.get());
-  posing_ = std::make_shared<deform::ExamplePosing>(*space_, std::move(vectors), *pool_);
+  posing_ = std::make_shared<shapes::ExamplePosing>(*space_, std::move(vectors), *pool_);
   posing_->begin(std::move(weights), document.shape() ? *document.shape() : space_->rest());
 }
 
 void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
   if (!is_current(document)) begin(document, known);
   if (set_ != seen_.pins) {
-    std::vector<deform::PosingPin> pins;
-    for (const deform::Pin& pin : seen_.pins)
-      pins.push_back({pin.vertex, pin.pulls ? deform::usual_pull : deform::holding});
+    std::vector<shapes::PosingPin> pins;
+    for (const pose::Pin& pin : seen_.pins)
+      pins.push_back({pin.vertex, pin.pulls ? shapes::usual_pull : shapes::holding});
     posing_->set_pins(std::move(pins));
     set_ = seen_.pins;
   }
@@ -133,7 +133,7 @@ void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
 
 void PinPosing::show(Document& document) {
   std::vector<mesh::Point> positions(posing_->positions().begin(), posing_->positions().end());
-  std::vector<deform::LogTerm> terms;
+  std::vector<shapes::LogTerm> terms;
   for (const auto& vector : vectors_) terms.push_back({vector.get(), 1});
   keep_flat(*space_, terms, positions);
   shown_ = std::make_shared<const std::vector<mesh::Point>>(std::move(positions));

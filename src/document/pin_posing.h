@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "deform/example_posing.h"
-#include "deform/probe.h"
 #include "document/animation.h"
 #include "document/document.h"
+#include "pose/probe.h"
+#include "shapes/example_posing.h"
 
 namespace viete::document {
 
@@ -28,7 +28,7 @@ public:
 
 private:
   struct Pins {
-    std::vector<deform::Pin> pins;
+    std::vector<pose::Pin> pins;
     std::vector<mesh::Point> targets;
 
     friend bool operator==(const Pins&, const Pins&) = default;
@@ -41,12 +41,12 @@ private:
   void show(Document& document);
 
   std::shared_ptr<base::WorkerPool> pool_;
-  std::shared_ptr<const deform::ShapeSpace> space_;
-  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;
-  std::shared_ptr<deform::ExamplePosing> posing_;  // null before the first step
+  std::shared_ptr<const shapes::ShapeSpace> space_;
+  std::vector<std::shared_ptr<const shapes::LogVector>> vectors_;
+  std::shared_ptr<shapes::ExamplePosing> posing_;  // null before the first step
   std::vector<SharedPose> examples_;
-  std::vector<deform::Pin> set_;  // the pins of posing_
-  SharedShape shown_;             // the result of the last step
+  std::vector<pose::Pin> set_;  // the pins of posing_
+  SharedShape shown_;           // the result of the last step
   Pins seen_;
   Revision whole_ = 0;
   double freedom_ = 0;

@@ -31,15 +31,15 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
   if (shapes.empty()) return from;
   if (!from && shapes.size() == 1 && shapes.front().factor == 1) return shapes.front().shape;
   base::WorkerPool pool;
-  std::vector<deform::LogTerm> terms;
+  std::vector<shapes::LogTerm> terms;
   const auto vector_of = [&](const SharedShape& shape) {
-    deform::ShapeReport report;
+    shapes::ShapeReport report;
     return vectors.of(shape, nullptr, pool, report).get();
   };
   for (const ShapeTerm& term : shapes) terms.push_back({vector_of(term.shape), term.factor});
-  const deform::LogVector* base = vector_of(from);
-  const deform::ShapeSpace& space = *vectors.shapes(pool);
-  const deform::Held held = space.logs().held_from(*base, terms);
+  const shapes::LogVector* base = vector_of(from);
+  const shapes::ShapeSpace& space = *vectors.shapes(pool);
+  const shapes::Held held = space.logs().held_from(*base, terms);
   terms.push_back({base, 1});
   return blended(space, terms, state.timeline.linear ? nullptr : &held, pool);
 }
@@ -55,10 +55,10 @@ WholePose mix_of(const Document& document, const DocumentState& state, VectorCac
   pose.shape = shape_of_mix(state, vectors, from->shape, sign);
   if (!document.has_cage()) return pose;
   const auto base = vectors.of(from);
-  std::vector<deform::LogTerm> terms;
+  std::vector<shapes::LogTerm> terms;
   for (const NamedPose& named : state.library.poses)
     if (named.weight != 0) terms.push_back({vectors.of(named.pose).get(), sign * named.weight});
-  const deform::Held held = vectors.space()->logs().held_from(*base, terms);
+  const shapes::Held held = vectors.space()->logs().held_from(*base, terms);
   terms.push_back({base.get(), 1});
   pose.cage = state.timeline.linear ? vectors.space()->linear(terms) : vectors.space()->pose(terms, held);
   return pose;
@@ -66,14 +66,14 @@ WholePose mix_of(const Document& document, const DocumentState& state, VectorCac
 
 SharedPose rest_of(const Document& document) {
   WholePose pose;
-  if (document.has_cage()) pose.cage = deform::rest_pose(*document.cage());
+  if (document.has_cage()) pose.cage = pose::rest_pose(*document.cage());
   keep_locked(document, pose);
   return std::make_shared<const WholePose>(std::move(pose));
 }
 
 bool is_rest_pose(const Document& document, const WholePose& pose) {
   return !pose.shape && (!document.has_cage() || pose.cage.positions == document.cage()->surface.positions) &&
-         std::ranges::all_of(pose.probes, [](const auto& p) { return p == deform::ProbePose{}; }) &&
+         std::ranges::all_of(pose.probes, [](const auto& p) { return p == pose::ProbePose{}; }) &&
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
 
@@ -145,7 +145,7 @@ WholePose whole_pose(const Document& document) {
     pose.cage = real_pose(document);
     pose.cage.turns.resize(document.cage()->roots.size());  // missing turns are 0
   }
-  for (const deform::Probe& probe : document.probes().all) pose.probes.push_back(probe.pose);
+  for (const pose::Probe& probe : document.probes().all) pose.probes.push_back(probe.pose);
   pose.shape = document.shape();
   return pose;
 }
@@ -185,7 +185,7 @@ void show_pose(Document& document, const WholePose& pose, PoseSource::Kind kind,
 }
 
 void move_pins_to_shape(Document& document) {
-  for (deform::Probe& probe : document.changed_probes().all)
+  for (pose::Probe& probe : document.changed_probes().all)
     if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
 }
 
@@ -296,7 +296,7 @@ void add_poses(Document& document, std::vector<NamedPose> poses) {
 }
 
 void add_shapes(Document& document, std::vector<NamedShape> shapes) {
-  const deform::Pose cage = document.has_cage() ? deform::rest_pose(*document.cage()) : deform::Pose();
+  const pose::Pose cage = document.has_cage() ? pose::rest_pose(*document.cage()) : pose::Pose();
   std::vector<NamedPose> poses;
   for (NamedShape& shape : shapes)
     poses.push_back({std::move(shape.name),
@@ -405,7 +405,7 @@ void change_poses(Document& document, const Change& change) {
 
 }  // namespace
 
-void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
+void carry_poses(Document& document, const std::function<pose::Pose(const pose::Pose&)>& carried) {
   end_mix(document);
   change_poses(document, [&](WholePose& pose) { pose.cage = carried(pose.cage); });
 }
@@ -420,7 +420,7 @@ std::string counted_poses(std::size_t poses, std::size_t keys) {
 
 // Removes poses without a shape; puts `cage` into the other poses. Returns the number of removed poses.
 template <class Keyed>
-std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
+std::size_t keep_shapes(std::vector<Keyed>& all, const pose::Pose& cage) {
   const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });
   for (Keyed& keyed : all)
     keyed.pose = std::make_shared<const WholePose>(WholePose{cage, keyed.pose->probes, keyed.pose->shape});
@@ -429,8 +429,8 @@ std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
 
 }  // namespace
 
-std::string drop_poses(Document& document, const deform::Cage& by) {
-  const deform::Pose rest = deform::rest_pose(by);
+std::string drop_poses(Document& document, const pose::Cage& by) {
+  const pose::Pose rest = pose::rest_pose(by);
   end_mix(document);
   const std::size_t poses = keep_shapes(document.changed_library().poses, rest);
   const std::size_t keys = keep_shapes(document.changed_timeline().keys, rest);
@@ -454,7 +454,7 @@ void forget_probe(Document& document, std::size_t probe) {
   forget_base(document);
 }
 
-void set_pose(Document& document, deform::Pose pose) {
+void set_pose(Document& document, pose::Pose pose) {
   record_edit(document, "open pose");
   end_mix(document);
   document.changed_source() = {};

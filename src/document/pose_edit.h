@@ -76,16 +76,16 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool linear)
 // The next four functions do not record an edit.
 
 /// After a cage edit: ends the mix. In named poses and keys, replaces each cage pose p by carried(p).
-void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
+void carry_poses(Document& document, const std::function<pose::Pose(const pose::Pose&)>& carried);
 /// Ends the mix. Adapts named poses and keys to the new cage `by`: removes poses without a shape; in other
 /// poses, puts the cage at rest. Returns the number of removed poses, such as "3 poses and 2 keys", or "".
-std::string drop_poses(Document& document, const deform::Cage& by);
+std::string drop_poses(Document& document, const pose::Cage& by);
 /// Copies shape, named poses and keys to another document of an equal model, and calls drop_poses() on it.
 std::string keep_shapes(Document& to, const Document& from);
 /// Removes a probe from all named poses and keys.
 void forget_probe(Document& document, std::size_t probe);
 
 /// Sets the cage's pose (one position per vertex) as an undoable edit. Ends the mix and cage editing.
-void set_pose(Document& document, deform::Pose pose);
+void set_pose(Document& document, pose::Pose pose);
 
 }  // namespace viete::document

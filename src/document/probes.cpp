@@ -22,7 +22,7 @@ std::string label(const char* verb, const Document& document) {
 }
 
 // Records an edit. Returns the probes, which the caller then changes.
-deform::Probes& edit(Document& document, const std::string& name) {
+pose::Probes& edit(Document& document, const std::string& name) {
   record_edit(document, name);
   return document.changed_probes();
 }
@@ -65,17 +65,17 @@ mesh::Point at_rest(const Document& document, const PosedModel& posed, const mes
   return model.positions[v] + (at - posed.at(model, v));
 }
 
-deform::Probe probe_at(const Document& document, const mesh::Point& place) {
-  deform::Probe probe;
+pose::Probe probe_at(const Document& document, const mesh::Point& place) {
+  pose::Probe probe;
   probe.place = place;
   probe.turn = probe.stretch =
-      probe.move = {deform::Falloff::smooth, usual_radius * document.space().diagonal()};
+      probe.move = {pose::Falloff::smooth, usual_radius * document.space().diagonal()};
   return probe;
 }
 
-deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
-  deform::Probe probe = probe_at(document, document.model().surface->positions[vertex]);
-  probe.pin = deform::Pin{vertex};
+pose::Probe pin_of(const Document& document, std::uint32_t vertex) {
+  pose::Probe probe = probe_at(document, document.model().surface->positions[vertex]);
+  probe.pin = pose::Pin{vertex};
   probe.pose.move = shape_of_vertex(document, vertex) - probe.place;
   return probe;
 }
@@ -84,7 +84,7 @@ deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
 
 bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at) {
   if (document.probes().all.size() >= most_probes) return false;
-  const deform::Probe probe = probe_at(document, at_rest(document, posed, at));
+  const pose::Probe probe = probe_at(document, at_rest(document, posed, at));
   edit(document, "add probe").all.push_back(probe);
   document.put_carried({});
   select(document, document.probes().all.size() - 1, document.probes().all.size());
@@ -94,7 +94,7 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
 bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at) {
   const std::uint32_t vertex = nearest_vertex(document, posed, at);
   auto& all = document.changed_probes().all;
-  const auto pins_it = [&](const deform::Probe& p) { return p.pin && p.pin->vertex == vertex; };
+  const auto pins_it = [&](const pose::Probe& p) { return p.pin && p.pin->vertex == vertex; };
   const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
   if (found == all.size()) {
     if (all.size() >= most_probes) return false;
@@ -106,11 +106,11 @@ bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at)
 }
 
 bool has_pins(const Document& document) {
-  return std::ranges::any_of(document.probes().all, [](const deform::Probe& p) { return p.pin.has_value(); });
+  return std::ranges::any_of(document.probes().all, [](const pose::Probe& p) { return p.pin.has_value(); });
 }
 
 void set_pulls(Document& document, bool pulls) {
-  change_selected(document, pulls ? "make pins soft" : "make pins hard", [pulls](deform::Probe& p) {
+  change_selected(document, pulls ? "make pins soft" : "make pins hard", [pulls](pose::Probe& p) {
     if (p.pin) p.pin->pulls = pulls;
   });
 }
@@ -134,7 +134,7 @@ bool has_free_probes(const Document& document) {
 }
 
 void rest_probes(Document& document) {
-  change_selected(document, label("reset", document), [](deform::Probe& p) { p.pose = {}; });
+  change_selected(document, label("reset", document), [](pose::Probe& p) { p.pose = {}; });
 }
 
 int symmetry_axis(const Document& document) {
@@ -159,7 +159,7 @@ bool mirror_probes(Document& document, int axis) {
   if (before + document.selection().size() > most_probes) return false;
   auto& all = edit(document, label("mirror", document)).all;
   const double middle = document.model().bounds.center()[static_cast<std::size_t>(axis)];
-  for (const auto i : document.selection().indices()) all.push_back(deform::mirrored(all[i], axis, middle));
+  for (const auto i : document.selection().indices()) all.push_back(pose::mirrored(all[i], axis, middle));
   for (std::size_t i = before; i < all.size(); ++i)
     if (all[i].pin) all[i] = pin_of(document, nearest_vertex(document, {}, all[i].place));
   document.put_carried({});
@@ -175,27 +175,27 @@ void set_locked(Document& document, bool locked) {
 namespace {
 
 std::string part_label(Part part) {
-  return part == &deform::Probe::turn      ? "change rotation of probes"
-         : part == &deform::Probe::stretch ? "change stretch of probes"
-                                           : "change translation of probes";
+  return part == &pose::Probe::turn      ? "change rotation of probes"
+         : part == &pose::Probe::stretch ? "change stretch of probes"
+                                         : "change translation of probes";
 }
 
 }  // namespace
 
-void set_falloff(Document& document, Part part, deform::Falloff falloff) {
-  change_selected(document, part_label(part), [&](deform::Probe& p) { (p.*part).falloff = falloff; });
+void set_falloff(Document& document, Part part, pose::Falloff falloff) {
+  change_selected(document, part_label(part), [&](pose::Probe& p) { (p.*part).falloff = falloff; });
 }
 
 void set_radius(Document& document, Part part, double radius) {
   const std::string name = part_label(part) + " (radius)";
   const DocumentState* before = document.history().before_last();
-  const std::size_t number = part == &deform::Probe::turn ? 0 : part == &deform::Probe::stretch ? 1 : 2;
+  const std::size_t number = part == &pose::Probe::turn ? 0 : part == &pose::Probe::stretch ? 1 : 2;
   record_step(document, name, {EditKind::probe_radius, number},
               before && before->selection == document.selection());
-  change_free(document, [&](deform::Probe& probe) { (probe.*part).radius = radius; });
+  change_free(document, [&](pose::Probe& probe) { (probe.*part).radius = radius; });
 }
 
-void set_mix(Document& document, deform::ProbeMix mix) {
+void set_mix(Document& document, pose::ProbeMix mix) {
   if (document.probes().mix != mix) edit(document, "change combination of probes").mix = mix;
 }
 

@@ -32,12 +32,12 @@ bool has_free_probes(const Document& document);
 bool mirror_probes(Document& document, int axis);
 void set_locked(Document& document, bool locked);
 
-using Part = deform::Influence deform::Probe::*;  ///< the rotation, the stretch or the translation
-void set_falloff(Document& document, Part part, deform::Falloff falloff);
+using Part = pose::Influence pose::Probe::*;  ///< the rotation, the stretch or the translation
+void set_falloff(Document& document, Part part, pose::Falloff falloff);
 /// Sets the radius of a part. Consecutive changes for one part and selection form one edit.
 void set_radius(Document& document, Part part, double radius);
 
-void set_mix(Document& document, deform::ProbeMix mix);
+void set_mix(Document& document, pose::ProbeMix mix);
 
 /// Returns the axis (0 x, 1 y, 2 z) across which the model is most symmetric.
 int symmetry_axis(const Document& document);

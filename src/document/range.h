@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deform/cage.h"
 #include "document/space.h"
+#include "pose/cage.h"
 #include "sym3/sym3.h"
 
 namespace viete::document {
 
-using deform::largest_turn;
 using mesh::largest_coordinate;
+using pose::largest_turn;
 
 /// Drags and camera targets stay within this distance from the model's center, in view units.
 inline constexpr double farthest_place = 1e6;

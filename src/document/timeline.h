@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "base/choice.h"
-#include "deform/binding.h"
-#include "deform/cage.h"
-#include "deform/probe.h"
 #include "document/camera.h"
+#include "pose/cage.h"
+#include "pose/probe.h"
+#include "weights/binding.h"
 
 namespace viete::document {
 
 using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
-using deform::SharedShape;
+using weights::SharedShape;
 
 inline bool same_shape(const SharedShape& a, const SharedShape& b) {
   return a == b || (a && b && *a == *b);
@@ -25,11 +25,11 @@ inline bool same_shape(const SharedShape& a, const SharedShape& b) {
 
 /// The complete pose of a document: the cage, the probes and the model's shape. Missing probes are at rest.
 struct WholePose {
-  deform::Pose cage;
-  std::vector<deform::ProbePose> probes;
+  pose::Pose cage;
+  std::vector<pose::ProbePose> probes;
   SharedShape shape{};
 
-  deform::ProbePose probe(std::size_t i) const { return i < probes.size() ? probes[i] : deform::ProbePose{}; }
+  pose::ProbePose probe(std::size_t i) const { return i < probes.size() ? probes[i] : pose::ProbePose{}; }
   friend bool operator==(const WholePose& a, const WholePose& b) {
     return a.cage.positions == b.cage.positions && a.cage.turns == b.cage.turns && a.probes == b.probes &&
            same_shape(a.shape, b.shape);

@@ -5,8 +5,8 @@
 
 #include "analysis/field.h"
 #include "base/choice.h"
-#include "deform/scheme.h"
 #include "document/camera.h"
+#include "pose/scheme.h"
 #include "sym3/exp.h"
 
 namespace viete::document {
@@ -37,7 +37,7 @@ struct ViewOptions {
 
 /// The settings of an additional view. The first view has the document's settings.
 struct SideWay {
-  deform::Scheme scheme;
+  pose::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
   analysis::Field field = analysis::Field::none;
   /// If true, uses the blending that the document does not use: linear instead of log space, or the reverse.

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "base/memory.h"
-#include "deform/bind.h"
-#include "deform/scheme.h"
-#include "deform/tiled_binding.h"
 #include "document/checks.h"
+#include "pose/scheme.h"
+#include "weights/bind.h"
+#include "weights/tiled_binding.h"
 
 namespace viete::files {
 
@@ -26,26 +26,25 @@ AnimatedModel::AnimatedModel(const Export& model, const document::Timeline& time
 
 document::WholePose AnimatedModel::pose(double frame) const {
   document::WholePose pose = animation_->at(frame);
-  if (!has_cage()) pose.cage = deform::rest_pose(*model_.cage);
+  if (!has_cage()) pose.cage = pose::rest_pose(*model_.cage);
   return pose;
 }
 
 bool AnimatedModel::can_fuse() const {
-  if (!has_cage() || deform::engine_for(model_.scheme, model_.method) != deform::EngineKind::fused)
-    return false;
-  const std::size_t handles = deform::handle_count(*model_.cage, model_.scheme.weighting.elements);
+  if (!has_cage() || pose::engine_for(model_.scheme, model_.method) != pose::EngineKind::fused) return false;
+  const std::size_t handles = pose::handle_count(*model_.cage, model_.scheme.weighting.elements);
   const double weights =
       4.0 * static_cast<double>(handles) * static_cast<double>(model_.model->positions.size());
   return weights < 0.5 * base::free_memory().value_or(0);
 }
 
 void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
-  const deform::Weighting& weighting = model_.scheme.weighting;
+  const pose::Weighting& weighting = model_.scheme.weighting;
   constexpr double uncompressed = 0;  // compression would add more error than rounding to float
-  auto tiles = std::make_shared<const deform::TiledBinding>(
-      deform::bind_tiles(*model_.model, *model_.cage, weighting, pool_, uncompressed, progress));
-  auto binding = std::make_shared<const deform::Binding>(
-      deform::with_tiles(model_.model, *model_.cage, std::move(tiles)));
+  auto tiles = std::make_shared<const weights::TiledBinding>(
+      weights::bind_tiles(*model_.model, *model_.cage, weighting, pool_, uncompressed, progress));
+  auto binding = std::make_shared<const weights::Binding>(
+      weights::with_tiles(model_.model, *model_.cage, std::move(tiles)));
   deformer_ = std::make_unique<deform::Deformer>(model_.cage, std::move(binding), model_.scheme, pool_);
   deformer_->set_mask(model_.mask);
   for (const double frame : tried) run_fast(frame);
@@ -59,8 +58,8 @@ double AnimatedModel::fast_error() const {
   return unsampled_factor * error_;
 }
 
-deform::Probes AnimatedModel::probes(const document::WholePose& pose) const {
-  deform::Probes probes = model_.probes;
+pose::Probes AnimatedModel::probes(const document::WholePose& pose) const {
+  pose::Probes probes = model_.probes;
   for (std::size_t i = 0; i < probes.all.size(); ++i)
     if (!probes.all[i].locked) probes.all[i].pose = pose.probe(i);
   return probes;
@@ -94,7 +93,7 @@ void AnimatedModel::run_fast(double frame) {
   take_notes(deformer_->state().report(), pose, deformer_->binding().warnings);
 }
 
-void AnimatedModel::take_notes(const deform::LogReport& report, const document::WholePose& pose,
+void AnimatedModel::take_notes(const pose::LogReport& report, const document::WholePose& pose,
                                const std::vector<std::string>& warnings) {
   notes_ = animation_->notes();
   for (auto& note : document::pose_notes(report, *model_.cage, pose.cage)) notes_.push_back(std::move(note));

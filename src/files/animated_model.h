@@ -42,7 +42,7 @@ public:
 
   document::WholePose pose(double frame) const;
   /// Returns the model's probes, posed by `pose`. Locked probes ignore `pose`.
-  deform::Probes probes(const document::WholePose& pose) const;
+  pose::Probes probes(const document::WholePose& pose) const;
 
   /// Deforms the model in double precision. The result has the same bits as the result of deform_exactly().
   deform::ExactModel exact(const document::WholePose& pose, base::Progress* progress = nullptr);
@@ -55,7 +55,7 @@ public:
 private:
   bool has_cage() const { return model_.cage->element_count() > 0; }
   bool can_fuse() const;
-  void take_notes(const deform::LogReport& report, const document::WholePose& pose,
+  void take_notes(const pose::LogReport& report, const document::WholePose& pose,
                   const std::vector<std::string>& warnings);
   void make_fast(double most, std::span<const double> tried, base::Progress* progress);
   void run_fast(double frame);

@@ -8,13 +8,13 @@
 #include "base/memory.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
-#include "deform/pose_io.h"
 #include "document/time_edit.h"
 #include "files/shape_import.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "formats/source.h"
+#include "pose/pose_io.h"
 
 namespace viete::files {
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-document::SharedPose shared(deform::Pose pose) {
+document::SharedPose shared(pose::Pose pose) {
   return std::make_shared<const document::WholePose>(document::WholePose{std::move(pose), {}});
 }
 
@@ -40,13 +40,13 @@ void add_targets(const fs::path& file, const MorphPositions& found, ImportedPose
   }
 }
 
-void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses& all) {
+void add_poses_of(const fs::path& file, const pose::Cage& cage, ImportedPoses& all) {
   all.files.push_back(file);
   if (formats::is_a(formats::holds_morphs, file)) {
     const MorphPositions found = morphs_of(file, {cage.surface, "the cage"}, all.warnings);
     if (found.clip) return add_targets(file, found, all);
   }
-  deform::Pose pose = deform::read_pose(file, cage, all.warnings);
+  pose::Pose pose = pose::read_pose(file, cage, all.warnings);
   check_places(file.string(), pose.positions);
   all.poses.push_back({file.stem().string(), shared(std::move(pose))});
 }
@@ -65,7 +65,7 @@ public:
 
   void set_easing(document::Easing easing) { easing_ = easing; }
 
-  void add(double frame, deform::Pose pose) {
+  void add(double frame, pose::Pose pose) {
     const double whole = std::round(frame);
     if (!(whole >= document::Timeline::least_frame && whole <= document::Timeline::largest_frame))
       throw base::Error(file_, "a frame number is below -1,000,000 or above 1,000,000",
@@ -94,15 +94,14 @@ private:
   std::size_t skipped_ = 0;
 };
 
-ImportedKeys keys_of_files(const base::NumberedName& name, const deform::Cage& cage,
-                           base::Progress* progress) {
+ImportedKeys keys_of_files(const base::NumberedName& name, const pose::Cage& cage, base::Progress* progress) {
   const auto files = files_of(name);
   check_key_count(name.pattern(), files.size());
   KeyBuilder keys(name.pattern(), document::Easing::smooth);
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < files.size(); ++i) {
     report_part(progress, i, files.size());
-    keys.add(static_cast<double>(files[i].number), deform::read_pose(files[i].path, cage, warnings));
+    keys.add(static_cast<double>(files[i].number), pose::read_pose(files[i].path, cage, warnings));
   }
   ImportedKeys read = keys.take(std::move(warnings), 0);
   read.files.clear();
@@ -110,7 +109,7 @@ ImportedKeys keys_of_files(const base::NumberedName& name, const deform::Cage& c
   return read;
 }
 
-ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
+ImportedKeys keys_of_cache(const fs::path& file, const pose::Cage& cage, const ImportTimes& times,
                            base::Progress* progress) {
   const formats::PointCache cache(file);
   const formats::PointCacheHead& head = cache.head();
@@ -130,7 +129,7 @@ ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const
   return keys.take(cache.warnings(), times.rate);
 }
 
-ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
+ImportedKeys keys_of_gltf(const fs::path& file, const pose::Cage& cage, const ImportTimes& times,
                           base::Progress* progress) {
   std::vector<std::string> warnings;
   const MorphPositions found = morphs_of(file, {cage.surface, "the cage"}, warnings);
@@ -164,8 +163,7 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
 
 }  // namespace
 
-ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& cage,
-                         base::Progress* progress) {
+ImportedPoses read_poses(std::span<const fs::path> files, const pose::Cage& cage, base::Progress* progress) {
   ImportedPoses all;
   for (std::size_t i = 0; i < files.size(); ++i) {
     std::error_code ignored;
@@ -187,7 +185,7 @@ ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& ca
   return all;
 }
 
-ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const ImportTimes& times,
+ImportedKeys read_keys(const fs::path& file, const pose::Cage& cage, const ImportTimes& times,
                        base::Progress* progress) {
   if (base::NumberedName::is_pattern(file)) return keys_of_files(base::NumberedName(file), cage, progress);
   if (formats::point_cache_format(file)) return keys_of_cache(file, cage, times, progress);

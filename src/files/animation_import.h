@@ -23,7 +23,7 @@ struct ImportedPoses {
 /// gives one pose for each target. A folder gives the poses of its models in natural order. In a folder, a
 /// model that does not match the cage gives a warning. Throws base::Error in these cases: a file in `files`
 /// does not match the cage, a folder has no pose of the cage, or there are too many poses. Thread-safe.
-ImportedPoses read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
+ImportedPoses read_poses(std::span<const std::filesystem::path> files, const pose::Cage& cage,
                          base::Progress* progress = nullptr);
 
 struct ImportedKeys {
@@ -51,7 +51,7 @@ struct ImportTimes {
 /// whole turns that brings it nearest to the rotation in the previous key. If several keys have the same
 /// frame, uses the first key and adds a warning. Throws base::Error in these cases: the number of vertices
 /// differs, a frame is out of range, or the number of frames is 0 or too large. Thread-safe.
-ImportedKeys read_keys(const std::filesystem::path& file, const deform::Cage& cage, const ImportTimes& times,
+ImportedKeys read_keys(const std::filesystem::path& file, const pose::Cage& cage, const ImportTimes& times,
                        base::Progress* progress = nullptr);
 
 /// Replaces the pose keys of the timeline, and sets the playback range to the frames of `keys`, as one edit.

@@ -30,9 +30,9 @@ Export export_of(const document::Document& document, const std::filesystem::path
              guessed_up(document.model()),
              {}};
   if (document.has_cage()) return all;
-  all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model().bounds));
-  all.pose = deform::rest_pose(*all.cage);
-  all.scheme = deform::no_motion();
+  all.cage = std::make_shared<const pose::Cage>(pose::no_cage(document.model().bounds));
+  all.pose = pose::rest_pose(*all.cage);
+  all.scheme = pose::no_motion();
   return all;
 }
 
@@ -44,10 +44,10 @@ bool writes_original(const Export& what) {
 
 }  // namespace
 
-void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
+void keep_at_rest(const pose::Cage& cage, const pose::Pose& pose, const pose::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions) {
-  const auto is_unmoved = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
-  const deform::Pose rest = deform::rest_pose(cage);
+  const auto is_unmoved = [](const pose::Probe& p) { return p.pin || p.pose == pose::ProbePose{}; };
+  const pose::Pose rest = pose::rest_pose(cage);
   const bool turns = std::ranges::any_of(pose.turns, [](const mesh::Vec3& t) {
     return t != mesh::Vec3{0, 0, 0};
   });

@@ -20,12 +20,12 @@ struct Export {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const formats::Attributes> attributes;  ///< attributes of the model; may be null
   std::shared_ptr<const formats::Original> original;      ///< original of the model; may be null
-  std::shared_ptr<const deform::Cage> cage;               ///< no_cage() if the model has no cage
-  deform::Pose pose;
-  deform::Scheme scheme;
+  std::shared_ptr<const pose::Cage> cage;                 ///< no_cage() if the model has no cage
+  pose::Pose pose;
+  pose::Scheme scheme;
   sym3::Method method;
-  deform::Mask mask;
-  deform::Probes probes;
+  weights::Mask mask;
+  pose::Probes probes;
   document::SharedShape shape;                ///< the model's shape; if null, the model is at rest
   document::UpAxis up = document::UpAxis::y;  ///< the model's up axis
   formats::Digits digits = {};
@@ -45,7 +45,7 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
 
 /// `shape`: the undeformed positions. If a coordinate in `positions` differs from `shape` only by rounding,
 /// sets the coordinate to the value in `shape`. If cage and probes are at rest, sets `positions` to `shape`.
-void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
+void keep_at_rest(const pose::Cage& cage, const pose::Pose& pose, const pose::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions);
 
 /// If the up axis is Z, returns a warning, because other programs read glTF with Y up. Otherwise returns "".

@@ -15,8 +15,8 @@
 
 namespace viete::files {
 
-using deform::SharedShape;
 using nlohmann::json, nlohmann::ordered_json;
+using weights::SharedShape;
 
 std::optional<JsonField> JsonField::child(const char* key, bool needed) const {
   if (!reads()) return JsonField((*out_)[key], *shapes_);
@@ -148,7 +148,7 @@ void code(const JsonField& field, std::uint64_t& value) {
     field.in().fail("the text must have 16 hexadecimal digits");
 }
 
-void code(const JsonField& field, deform::SharedShape& value) {
+void code(const JsonField& field, weights::SharedShape& value) {
   auto& [all, numbers] = field.shapes();
   if (field.reads()) {
     const std::uint32_t number = field.in().index();
@@ -177,7 +177,7 @@ std::string bytes_of(const std::vector<mesh::Point>& points) {
 }
 
 template <class T>
-deform::SharedShape shape_of_bytes(const JsonReader& json) {
+weights::SharedShape shape_of_bytes(const JsonReader& json) {
   const std::string bytes = json.base64();
   if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("there must be three numbers for each vertex");
   std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
@@ -205,7 +205,7 @@ void code(const JsonField& field, ShapeTable& shapes) {
                                   : shape_of_bytes<double>(item.at("float64")));
     }
   } else {
-    for (const deform::SharedShape& shape : shapes.all) {
+    for (const weights::SharedShape& shape : shapes.all) {
       const bool floats = std::ranges::all_of(*shape, is_float);
       field.out().push_back({{floats ? "float32" : "float64",
                               base::base64(floats ? bytes_of<float>(*shape) : bytes_of<double>(*shape))}});

@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "base/choice.h"
-#include "deform/binding.h"
 #include "formats/text_cursor.h"
 #include "mesh/vector.h"
+#include "weights/binding.h"
 
 namespace viete::files {
 
@@ -98,7 +98,7 @@ private:
 
 /// A list of shapes. Other values of the file refer to a shape by its index.
 struct ShapeTable {
-  std::vector<deform::SharedShape> all;
+  std::vector<weights::SharedShape> all;
   std::map<const void*, std::uint32_t> numbers;  ///< for the address of each shape, its index in `all`
 };
 
@@ -175,7 +175,7 @@ void code(const JsonField& field, std::vector<std::uint32_t>& value);
 /// The file contains a text of 16 hexadecimal digits.
 void code(const JsonField& field, std::uint64_t& value);
 /// The file contains the index of the shape in field.shapes(). Writing adds new shapes to field.shapes().
-void code(const JsonField& field, deform::SharedShape& value);
+void code(const JsonField& field, weights::SharedShape& value);
 /// A list of shapes. Each shape is {"float32": BYTES} or, if floats cannot store the exact coordinates,
 /// {"float64": BYTES}. BYTES: x, y, z of each vertex, little-endian, in base64.
 void code(const JsonField& field, ShapeTable& shapes);

@@ -6,7 +6,6 @@
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "cages/edit.h"
-#include "deform/pose_io.h"
 #include "document/cage_making.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
@@ -19,6 +18,7 @@
 #include "mesh/triangulation.h"
 #include "mesh/vertex_order.h"
 #include "mesh/winding_number.h"
+#include "pose/pose_io.h"
 
 namespace viete::files {
 
@@ -100,7 +100,7 @@ Opened open_model(const std::vector<fs::path>& files, bool without_fins, base::P
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage())
     throw base::Error(named(2).string(), "a pose needs a cage, and no cage was opened", "open the cage too");
-  opened.document->changed_pose() = deform::read_pose(named(2), *opened.document->cage(), opened.warnings);
+  opened.document->changed_pose() = pose::read_pose(named(2), *opened.document->cage(), opened.warnings);
   opened.document->changed_also_read().push_back({named(2), document::the_pose});
   return opened;
 }
@@ -135,7 +135,7 @@ Opened of_open_cage(const fs::path& file, const document::Document& current) {
 
 Opened open_pose(const fs::path& file, const document::Document& current) {
   Opened opened = of_open_cage(file, current);
-  opened.pose = deform::read_pose(file, *current.cage(), opened.warnings);
+  opened.pose = pose::read_pose(file, *current.cage(), opened.warnings);
   opened.also_read.push_back({file, document::the_pose});
   document::Document posed;
   posed.replace_cage(current.cage_file(), current.cage(), *opened.pose);
@@ -168,7 +168,7 @@ void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface
   opened.shapes_of = model;
   opened.vectors.follow_model(model);
   (void)opened.vectors.shapes(pool);
-  std::vector<deform::ShapeReport> reports(shapes.size());
+  std::vector<shapes::ShapeReport> reports(shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     (void)opened.vectors.of(shapes[i], nullptr, pool, reports[i]);
     if (progress) progress->report(static_cast<double>(i + 1) / static_cast<double>(shapes.size()));
@@ -211,7 +211,7 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
   const bool is_model = formats::is_a(formats::keeps_order, file);  // the file may belong to a sequence
   const auto sequence = is_model ? base::NumberedName::of_file(file) : std::nullopt;
   Opened opened = open_shapes({sequence ? fs::path(sequence->pattern()) : file}, current, progress);
-  const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage()) : deform::Pose();
+  const pose::Pose cage = current.has_cage() ? pose::rest_pose(*current.cage()) : pose::Pose();
   int frame = current.timeline().first;
   for (document::NamedShape& shape : std::exchange(opened.shapes, {}))
     opened.keys.push_back(
@@ -320,7 +320,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   document::Document document = document_of_session(session, file, progress);
   document.put_method(session.method);
   check_fits(document, session, file);
-  for (deform::Probe& probe : document.changed_probes().all)
+  for (pose::Probe& probe : document.changed_probes().all)
     if (probe.pin) probe.place = document.model().surface->positions[probe.pin->vertex];
   const document::SharedPose base = std::exchange(document.changed_source(), {}).base;
   if (base && document.library().mixes())
@@ -488,7 +488,7 @@ Opened open_files(const OpenRequest& request, const document::Document& current,
   if (surfaceless && document.scheme().weighting.on_surface() && !request.settings.choice.weights &&
       !request.settings.way)
     document.put_scheme(
-        deform::complete(document::only(deform::default_scheme(false).weighting.weights), document.scheme()));
+        pose::complete(document::only(pose::default_scheme(false).weighting.weights), document.scheme()));
   opened.has_settings |= request.settings.any();
   return opened;
 }

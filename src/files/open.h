@@ -48,11 +48,11 @@ struct OpenRequest {
 
 struct Opened {
   std::optional<document::Document> document;      ///< present if a model, cage or session was opened
-  std::optional<deform::Pose> pose;                ///< a new pose of the open cage
+  std::optional<pose::Pose> pose;                  ///< a new pose of the open cage
   std::vector<document::NamedPose> poses;          ///< poses to add
   std::vector<document::NamedShape> shapes;        ///< shapes to add
   std::vector<document::PoseKey> keys;             ///< keys that replace the existing keys
-  std::shared_ptr<const deform::Cage> pose_of;     ///< the cage of `pose`, `poses` and `keys`
+  std::shared_ptr<const pose::Cage> pose_of;       ///< the cage of `pose`, `poses` and `keys`
   std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model of the shapes; null if there are no shapes
   document::VectorCache vectors;                   ///< log vectors of the shapes
   std::string lost;  ///< number of poses that do not fit the new cage: "3 poses and 2 keys"; or empty
@@ -68,7 +68,7 @@ struct Opened {
 
 /// Reads the requested files. current: the open document. Cages, poses, keys and shapes must match this
 /// document. progress may be null. Throws base::Cancelled and base::Error (for sessions also
-/// SessionFileError, for cages also deform::FinError). Thread-safe.
+/// SessionFileError, for cages also pose::FinError). Thread-safe.
 ///
 /// For What::dropped, the content and number of files decide. A single file is the first matching kind:
 /// - a session

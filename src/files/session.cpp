@@ -77,24 +77,24 @@ static void code(const JsonField& f, document::CameraPose& camera) {
 }
 
 // Reads or writes members of the enclosing object. A missing `weights` or `blend` gets a default.
-static void code(const JsonField& f, deform::Scheme& scheme) {
-  deform::PartialChoice choice;
+static void code(const JsonField& f, pose::Scheme& scheme) {
+  pose::PartialChoice choice;
   if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
   f.member("weights", choice.weights);
   f.member("blend", choice.blend);
   if (f.reads()) {
     try {
-      scheme = deform::complete(choice);
+      scheme = pose::complete(choice);
     } catch (const base::Error& error) {
       f.in().at("blend").fail(error.problem());
     }
   }
-  f.unless(0, "iterations", scheme.iterations, Limits{1, deform::most_iterations});
-  deform::Scheme usual;
-  for (const deform::NumberEntry& number : deform::all_numbers())
+  f.unless(0, "iterations", scheme.iterations, Limits{1, pose::most_iterations});
+  pose::Scheme usual;
+  for (const pose::NumberEntry& number : pose::all_numbers())
     f.unless(number.of(usual), number.word.data(), number.of(scheme), percent(number.least, number.largest));
   if (!f.reads()) return;
-  if (const auto reason = deform::conflict(scheme)) f.in().at("iterations").fail(std::string(*reason));
+  if (const auto reason = pose::conflict(scheme)) f.in().at("iterations").fail(std::string(*reason));
 }
 
 static void code(const JsonField& f, document::ViewOptions& view) {
@@ -134,7 +134,7 @@ static void code(const JsonField& f, document::Handling& handling) {
 }
 
 // Reads or writes members of the enclosing object. "stretched" is the matrix logarithm of the stretch.
-static void code(const JsonField& f, deform::ProbePose& pose) {
+static void code(const JsonField& f, pose::ProbePose& pose) {
   f.unless({}, "turned", pose.turn, Reach{document::largest_turn});
   if (f.reads() ? f.in().find("stretched").has_value() : pose.stretch != sym3::Sym3<double>{}) {
     const JsonField stretched = *f.child("stretched");
@@ -151,13 +151,13 @@ static void code(const JsonField& f, deform::ProbePose& pose) {
     f.in().fail("the motion of this probe is too large");
 }
 
-static void code(const JsonField& f, deform::Influence& influence) {
+static void code(const JsonField& f, pose::Influence& influence) {
   f.needed("falloff", influence.falloff);
   f.needed("radius", influence.radius, Limits{0, document::most_drawn});
   if (!(influence.radius > 0)) f.in().at("radius").fail("the radius must be above 0");
 }
 
-static void code(const JsonField& f, deform::Probe& probe) {
+static void code(const JsonField& f, pose::Probe& probe) {
   f.needed("place", probe.place, Reach{document::most_drawn});
   f.needed("rotation", probe.turn);
   f.needed("stretch", probe.stretch);
@@ -171,13 +171,13 @@ static void code(const JsonField& f, deform::Probe& probe) {
   code(f, probe.pose);
 }
 
-static void code(const JsonField& f, deform::Probes& probes) {
+static void code(const JsonField& f, pose::Probes& probes) {
   f.member("mix", probes.mix);
   f.needed("all", probes.all, document::most_probes);
 }
 
 // The file has pairs [share, count, ...]: the next `count` vertices have the mask value share / mask_steps.
-static void code(const JsonField& f, deform::Mask& mask) {
+static void code(const JsonField& f, weights::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;
     const auto put_run = [&] {
@@ -214,7 +214,7 @@ static void code(const JsonField& f, document::NamedSet& set) {
 }
 
 // "turns" has one rotation vector for each part of the cage.
-static void code(const JsonField& f, deform::Pose& pose) {
+static void code(const JsonField& f, pose::Pose& pose) {
   f.unless({}, "turns", pose.turns, Reach{document::largest_turn});
   f.unless({}, "positions", pose.positions, Reach{mesh::largest_coordinate});
 }
@@ -430,7 +430,7 @@ constexpr const char* changed_advice = "restore the model and cage with which th
 }
 
 void check_pose(const document::Document& document, const Session& session, const fs::path& file) {
-  const deform::Cage& cage = *document.cage();
+  const pose::Cage& cage = *document.cage();
   const bool same =
       session.cage_file.content != 0 && session.cage_file.content == document.cage_file().content;
   const std::string advice = same
@@ -461,7 +461,7 @@ void check_indices(const fs::path& file, const char* key, const std::vector<std:
 
 }  // namespace
 
-void check_poses(const document::DocumentState& state, const deform::Cage* cage, const mesh::Surface& model,
+void check_poses(const document::DocumentState& state, const pose::Cage* cage, const mesh::Surface& model,
                  const fs::path& file) {
   const std::size_t vertices = cage ? cage->surface.positions.size() : 0,
                     parts = cage ? cage->roots.size() : 0;
@@ -490,7 +490,7 @@ void check_fits(const document::Document& document, const Session& session, cons
   };
   if (document.mask()) check_count("mask", document.mask()->size());
   if (document.shape()) check_count("shape", document.shape()->size());
-  for (const deform::Probe& probe : document.probes().all)
+  for (const pose::Probe& probe : document.probes().all)
     if (probe.pin)
       check_indices(file, "probes", {probe.pin->vertex}, document::ElementKind::vertex, vertices);
   check_poses(document.state(), document.cage().get(), model, file);

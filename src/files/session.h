@@ -45,7 +45,7 @@ Session read_session(const std::filesystem::path& file);
 void check_fits(const document::Document& document, const Session& session,
                 const std::filesystem::path& file);
 /// Works like check_fits(), but checks only named poses and keys.
-void check_poses(const document::DocumentState& state, const deform::Cage* cage, const mesh::Surface& model,
+void check_poses(const document::DocumentState& state, const pose::Cage* cage, const mesh::Surface& model,
                  const std::filesystem::path& file);
 
 /// Returns warnings if the file of the model or cage has changed since the session was saved.

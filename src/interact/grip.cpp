@@ -21,7 +21,7 @@ namespace {
 using Distances = std::vector<double>;  // one per vertex: the distance from the selected vertices
 
 // Computes distances along edges, up to the radius, by Dijkstra's algorithm.
-Distances over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
+Distances over_edges(const pose::Cage& cage, std::span<const mesh::Point> positions,
                      std::span<const std::uint32_t> selected, double radius) {
   Distances distances(positions.size(), std::numeric_limits<double>::infinity());
   using Entry = std::tuple<double, std::uint32_t>;
@@ -60,7 +60,7 @@ bool selects_probes(const document::Document& document) {
 }
 
 // Returns the given vertices with an edge to the largest connected part of the other vertices.
-Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
+Vertices border_of(const pose::Cage& cage, const Vertices& vertices) {
   const std::size_t count = cage.surface.positions.size();
   std::vector<char> moves(count, 0);
   for (const auto v : vertices) moves[v] = 1;
@@ -162,7 +162,7 @@ double soft_share(document::SoftCurve curve, double distance) {
   return 1;
 }
 
-std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
+std::vector<Gripped> softened(const pose::Cage& cage, std::span<const mesh::Point> positions,
                               std::span<const std::uint32_t> selected, const document::SoftSelection& soft,
                               double radius) {
   if (selected.empty()) return {};

@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "deform/cage.h"
 #include "document/camera.h"
 #include "document/document.h"
 #include "document/handling.h"
 #include "document/mirror.h"
 #include "interact/transform.h"
+#include "pose/cage.h"
 
 namespace viete::interact {
 
@@ -55,7 +55,7 @@ struct Gripped {
 
 /// Returns the selected vertices and the vertices of the soft selection, ascending, on Side::own. `positions`
 /// are the positions of the posed cage. The radius is in the file's units.
-std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
+std::vector<Gripped> softened(const pose::Cage& cage, std::span<const mesh::Point> positions,
                               std::span<const std::uint32_t> selected, const document::SoftSelection& soft,
                               double radius);
 

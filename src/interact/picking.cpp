@@ -147,7 +147,7 @@ std::optional<Pick> pick_inside(const document::Document& document, const docume
   return best;
 }
 
-std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge& edge, const Flags& hidden) {
+std::optional<std::uint32_t> face_at(const pose::Cage& cage, const mesh::Edge& edge, const Flags& hidden) {
   for (std::uint32_t f = 0; f < cage.surface.polygon_count(); ++f) {
     const auto vertices = element_vertices(cage, document::ElementKind::face, f);
     const auto has = [&](std::uint32_t v) { return std::ranges::count(vertices, v) > 0; };

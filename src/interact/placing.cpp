@@ -5,13 +5,13 @@
 #include <numbers>
 #include <optional>
 
-#include "deform/branches.h"
-#include "deform/cage_state.h"
-#include "deform/maps.h"
 #include "document/elements.h"
 #include "document/range.h"
 #include "document/record.h"
 #include "document/space.h"
+#include "pose/branches.h"
+#include "pose/cage_state.h"
+#include "pose/maps.h"
 #include "sym3/affine.h"
 
 namespace viete::interact {
@@ -23,7 +23,7 @@ constexpr double largest_step = 30;  // in degrees; small enough to count whole 
 
 struct Motion {
   document::Document& document;
-  const deform::Pose& before;
+  const pose::Pose& before;
   const Grip& grip;
   Transform transform;
 
@@ -35,7 +35,7 @@ struct Motion {
   // Rotates in small steps, and updates the turns of the pose after each step.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
-    deform::CageState cage(document.cage(), deform::Elements::face, deform::Blend::srl);
+    pose::CageState cage(document.cage(), pose::Elements::face, pose::Blend::srl);
     for (int i = 1; i <= steps; ++i) {
       show(from + (to - from) * i / steps);
       cage.set_pose(document.pose());
@@ -57,7 +57,7 @@ struct Motion {
 };
 
 // Returns the rotation axis of each part of the cage; (0, 0, 0) for a part that does not rotate rigidly.
-std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip, const glm::dvec3& axis) {
+std::vector<mesh::Vec3> axes_of_parts(const pose::Cage& cage, const Grip& grip, const glm::dvec3& axis) {
   const mesh::Vec3 own{axis.x, axis.y, axis.z}, other = -1.0 * document::reflected_direction(grip.plane, own),
                                                 none{};
   std::vector<mesh::Vec3> of_vertex(cage.surface.positions.size()), of_part(cage.roots.size());
@@ -87,7 +87,7 @@ double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
 
 std::vector<mesh::Vec3> least_turns(const document::Document& document,
                                     const std::vector<mesh::Point>& positions) {
-  deform::CageState state(document.cage(), deform::Elements::face, deform::Blend::srl);
+  pose::CageState state(document.cage(), pose::Elements::face, pose::Blend::srl);
   state.set_pose({positions, {}});
   return state.report().turns;
 }
@@ -96,39 +96,39 @@ std::vector<mesh::Vec3> least_turns(const document::Document& document,
 // whole turns are about `axis`, returns their number. Otherwise returns nullopt.
 std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
   constexpr double same_axis = 1e-6;
-  const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);
+  const double count = pose::whole_turns(turn, least), along = mesh::dot(turn, axis);
   if (count == 0) return 0;
   if (mesh::norm(turn - along * axis) > same_axis * mesh::norm(turn)) return std::nullopt;
   return std::copysign(count, along);
 }
 
 bool is_in_range(const document::Document& document, const Grip& grip) {
-  const deform::Pose& pose = document.pose();
+  const pose::Pose& pose = document.pose();
   return mesh::bounds(pose.positions).diagonal() <= document::most_drawn &&
          std::all_of(
              grip.vertices.begin(), grip.vertices.end(),
              [&](const Gripped& g) { return is_in_reach(document.space(), pose.positions[g.vertex]); }) &&
          std::all_of(pose.turns.begin(), pose.turns.end(),
-                     [](const auto& turn) { return deform::norm(turn) <= document::largest_turn; });
+                     [](const auto& turn) { return mesh::norm(turn) <= document::largest_turn; });
 }
 
-deform::ProbePose moved(const deform::Probe& probe, const document::Carried& carried, const Transform& t) {
-  deform::ProbePose result = probe.pose;
+pose::ProbePose moved(const pose::Probe& probe, const document::Carried& carried, const Transform& t) {
+  pose::ProbePose result = probe.pose;
   if (!probe.pin) {
-    if (t.factors != glm::dvec3(1)) result = deform::scaled(result, document::point_of(t.factors));
+    if (t.factors != glm::dvec3(1)) result = pose::scaled(result, document::point_of(t.factors));
     if (t.degrees != 0)
-      result = deform::turned(result, document::point_of(t.axis), t.degrees / 180 * std::acos(-1.0));
+      result = pose::turned(result, document::point_of(t.axis), t.degrees / 180 * std::acos(-1.0));
   }
-  const mesh::Point from = carried.place + deform::times(carried.map, probe.pose.move);
+  const mesh::Point from = carried.place + pose::times(carried.map, probe.pose.move);
   const mesh::Point to = PointMotion(t)(from, t.pivot);
-  result.move = probe.pose.move + deform::times(sym3::inverse({carried.map, {}}).linear, to - from);
+  result.move = probe.pose.move + pose::times(sym3::inverse({carried.map, {}}).linear, to - from);
   return result;
 }
 
 bool in_range(const document::Document& document, std::size_t i) {
-  const deform::ProbePose& pose = document.probes().all[i].pose;
+  const pose::ProbePose& pose = document.probes().all[i].pose;
   return is_in_reach(document.space(), probe_center(document, i)) &&
-         deform::norm(pose.turn) <= document::largest_turn && document::is_probe_stretch(pose.stretch);
+         mesh::norm(pose.turn) <= document::largest_turn && document::is_probe_stretch(pose.stretch);
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ bool place(document::Document& document, const document::DocumentState& snapshot
            const Transform& transform, double degrees_seen) {
   if (snapshot.selection.kind() == document::ElementKind::probe)
     return place_probes(document, snapshot, transform);
-  const deform::Pose& before = snapshot.pose;
+  const pose::Pose& before = snapshot.pose;
   Motion motion{document, before, grip, transform};
   const double jump = transform.degrees - degrees_seen;
   if (std::abs(jump) > largest_step) {
@@ -170,7 +170,7 @@ void count_whole_turns(document::Document& document, const document::DocumentSta
     const double made = std::round(turned_by / (2 * std::numbers::pi));
     if (made == 0 && (!had || *had == 0)) continue;
     const double count = had.value_or(0) + made;
-    const mesh::Vec3 turned = count == 0 ? to[part] : deform::with_whole_turns(axis, count, to[part]);
+    const mesh::Vec3 turned = count == 0 ? to[part] : pose::with_whole_turns(axis, count, to[part]);
     if (mesh::norm(turned - turns[part]) > turn_rounding * (1 + mesh::norm(turned))) turns[part] = turned;
   }
 }
@@ -195,9 +195,9 @@ std::string edit_label(Tool tool, const document::Selection& selection) {
 bool place_probes(document::Document& document, const document::DocumentState& before,
                   const Transform& transform) {
   bool fits = true;
-  deform::Probes& probes = document.changed_probes();
+  pose::Probes& probes = document.changed_probes();
   for (const auto i : before.selection.indices()) {
-    deform::Probe& probe = probes.all[i];
+    pose::Probe& probe = probes.all[i];
     if (probe.locked) continue;
     probe.pose = moved(before.probes.all[i], carried_probe(document, i), transform);
     fits &= in_range(document, i);

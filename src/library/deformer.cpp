@@ -8,14 +8,14 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "base/worker_pool.h"
-#include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/exact.h"
-#include "deform/scheme.h"
 #include "files/export.h"
 #include "library/arguments.h"
 #include "mesh/normals.h"
+#include "pose/scheme.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
 
 namespace viete {
 
@@ -26,19 +26,19 @@ void take(const std::string& name, const char* what, std::optional<Value>& value
   if (!name.empty()) value = library::named<Value>(name, what);
 }
 
-deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
-  deform::AskedScheme asked;
+pose::Scheme scheme_of(const Blending& b, bool has_triangles) {
+  pose::AskedScheme asked;
   // Smooth weights spread along the surface. A model without faces therefore gets another default deformer.
   if (has_triangles || b.deformer != Blending{}.deformer) take(b.deformer, "deformer", asked.way);
   take(b.weights, "weights", asked.choice.weights);
   take(b.blend, "blend", asked.choice.blend);
   asked.radius = b.radius, asked.rotation = b.rotation, asked.stretch = b.stretch;
   asked.arap = b.arap, asked.iterations = b.iterations, asked.attach = b.attach, asked.hold = b.hold;
-  for (const deform::NumberEntry& number : deform::all_numbers())
+  for (const pose::NumberEntry& number : pose::all_numbers())
     if (const auto& value = asked.*number.asked)
       library::check_range(number.word.data(), *value, number.least, number.largest);
-  if (b.iterations) library::check_range("iterations", *b.iterations, 1, deform::most_iterations);
-  return deform::scheme_of(asked, deform::default_scheme(has_triangles));
+  if (b.iterations) library::check_range("iterations", *b.iterations, 1, pose::most_iterations);
+  return pose::scheme_of(asked, pose::default_scheme(has_triangles));
 }
 
 sym3::Method method_of(const std::string& name) {
@@ -77,15 +77,15 @@ std::string library::settings_text() {
     text += "\n" + title;
     for (const base::Choice& value : values) add(value.word, value.hint);
   };
-  list("deformer: decides how the cage moves the model.", choices(deform::Way{}));
+  list("deformer: decides how the cage moves the model.", choices(pose::Way{}));
   list("weights: replaces the weights of the deformer. Some weights allow only some blends.",
-       choices(deform::Weights{}));
-  list("blend: replaces the blend of the deformer.", choices(deform::Blend{}));
+       choices(pose::Weights{}));
+  list("blend: replaces the blend of the deformer.", choices(pose::Blend{}));
   text +=
       "\narap: True solves for a mesh that is as rigid as possible.\niterations: ARAP: number of solves, 1 "
       "to " +
-      std::to_string(deform::most_iterations) + ".";
-  for (const deform::NumberEntry& number : deform::all_numbers())
+      std::to_string(pose::most_iterations) + ".";
+  for (const pose::NumberEntry& number : pose::all_numbers())
     text += "\n" + std::string(number.word) + ": " + std::string(number.hint) + "; a fraction from " +
             plain(number.least) + " to " + plain(number.largest) + ".";
   list("method: the method for matrix exponentials.", {});
@@ -96,21 +96,21 @@ std::string library::settings_text() {
 struct Deformer::Impl {
   Impl(const Mesh& m, const Mesh& c, const Blending& blending, int threads)
       : model(library::deformable_surface_of(m, "the model")),
-        cage(std::make_shared<const deform::Cage>(
-            deform::make_cage(library::deformable_surface_of(c, "the cage")))),
+        cage(std::make_shared<const pose::Cage>(
+            pose::make_cage(library::deformable_surface_of(c, "the cage")))),
         scheme(scheme_of(blending, !model.triangles.empty())),
         method(method_of(blending.method)),
         pool(library::checked_threads(threads)),
         notes(cage->warnings) {}
 
-  deform::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
-    deform::Pose pose{
+  pose::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
+    pose::Pose pose{
         library::deformable_points(numbers, cage->surface.positions.size(), "the pose of the cage"), {}};
     check_turns(turns);
     if (turns) pose.turns = library::inside(*turns);
     return pose;
   }
-  static void keep_turns(const deform::LogReport& report, std::vector<Point3>* turns) {
+  static void keep_turns(const pose::LogReport& report, std::vector<Point3>* turns) {
     if (turns) *turns = library::outside(report.turns);
   }
 
@@ -123,13 +123,13 @@ struct Deformer::Impl {
 
   deform::Deformer& live(base::Progress* progress = nullptr) {
     if (live_) return *live_;
-    const bool staged = deform::engine_for(scheme, method) == deform::EngineKind::staged;
-    auto binding = std::make_shared<const deform::Binding>(deform::bind(
-        mesh::lent(model), *cage, scheme.weighting, deform::EngineKind::fused, nullptr, pool, progress));
+    const bool staged = pose::engine_for(scheme, method) == pose::EngineKind::staged;
+    auto binding = std::make_shared<const weights::Binding>(weights::bind(
+        mesh::lent(model), *cage, scheme.weighting, pose::EngineKind::fused, nullptr, pool, progress));
     if (staged)
-      binding = std::make_shared<const deform::Binding>(
-          deform::bind(mesh::lent(model), *cage, scheme.weighting, deform::EngineKind::staged, binding.get(),
-                       pool, progress));
+      binding = std::make_shared<const weights::Binding>(
+          weights::bind(mesh::lent(model), *cage, scheme.weighting, pose::EngineKind::staged, binding.get(),
+                        pool, progress));
     std::shared_ptr<const deform::Stitching> stitching;
     if (scheme.stitched())
       stitching =
@@ -140,14 +140,14 @@ struct Deformer::Impl {
   }
 
   mesh::Surface model;
-  std::shared_ptr<const deform::Cage> cage;
-  deform::Scheme scheme;
+  std::shared_ptr<const pose::Cage> cage;
+  pose::Scheme scheme;
   sym3::Method method;
   base::WorkerPool pool;
   std::vector<std::string> notes;
   std::optional<mesh::Adjacency> around;  // the triangles of each vertex
-  deform::Mask mask;
-  deform::SharedShape shape;
+  weights::Mask mask;
+  weights::SharedShape shape;
   std::unique_ptr<deform::ExactDeformer> exact_;  // created by exact(); live_ is created by live()
   std::unique_ptr<deform::Deformer> live_;
 };
@@ -175,7 +175,7 @@ void Deformer::deform(std::span<const double> cage, std::span<double> positions,
                       std::vector<Point3>* turns) {
   const base::ForkDelay delay;
   check_sizes(positions.size(), normals.size(), vertex_count());
-  const deform::Pose pose = impl_->pose(cage, turns);
+  const pose::Pose pose = impl_->pose(cage, turns);
   deform::ExactModel deformed = impl_->exact().deform(pose, {}, impl_->shape);
   const auto& shape = impl_->shape ? *impl_->shape : impl_->model.positions;
   files::keep_at_rest(*impl_->cage, pose, {}, shape, deformed.positions);
@@ -193,7 +193,7 @@ void Deformer::deform(std::span<const double> cage, std::span<float> positions, 
                       std::vector<Point3>* turns) {
   const base::ForkDelay delay;
   check_sizes(positions.size(), normals.size(), vertex_count());
-  const deform::Pose pose = impl_->pose(cage, turns);
+  const pose::Pose pose = impl_->pose(cage, turns);
   deform::Deformer& live = impl_->live();
   live.deform(pose, impl_->method);
   Impl::keep_turns(live.state().report(), turns);
@@ -236,7 +236,7 @@ void Deformer::set_mask(std::span<const float> shares) {
 
 void Deformer::set_shape(std::span<const double> positions) {
   const base::ForkDelay delay;
-  deform::SharedShape shape;
+  weights::SharedShape shape;
   if (!positions.empty())
     shape = std::make_shared<const std::vector<mesh::Point>>(
         library::deformable_points(positions, vertex_count(), "the shape"));

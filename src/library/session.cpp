@@ -26,7 +26,7 @@ struct Session::Impl {
 
   std::vector<mesh::Point> positions(double frame) {
     document::WholePose pose{what.pose, {}, what.shape};
-    deform::Probes probes = what.probes;
+    pose::Probes probes = what.probes;
     if (animated) {
       pose = animated->pose(frame);
       probes = animated->probes(pose);

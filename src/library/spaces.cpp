@@ -6,9 +6,9 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "base/worker_pool.h"
-#include "deform/example_posing.h"
 #include "document/animation.h"
 #include "library/arguments.h"
+#include "shapes/example_posing.h"
 
 namespace viete {
 
@@ -17,7 +17,7 @@ namespace library {
 // Poses or shapes in the order of the motion, and their logarithms.
 struct Sequence {
   std::vector<document::SharedPose> poses;
-  std::vector<std::shared_ptr<const deform::LogVector>> vectors;
+  std::vector<std::shared_ptr<const shapes::LogVector>> vectors;
   document::VectorCache known;
   std::optional<document::Animation> animation;
 
@@ -34,13 +34,13 @@ struct Sequence {
     return animation.emplace(timeline, known).at(moment, linear);
   }
 
-  std::vector<deform::LogTerm> sum(std::span<const double> weights) const {
+  std::vector<shapes::LogTerm> sum(std::span<const double> weights) const {
     if (weights.size() != poses.size())
       throw base::Error(
           "weights",
           "there are " + std::to_string(weights.size()) + " for " + std::to_string(poses.size()) + " shapes",
           "pass one weight for each shape");
-    std::vector<deform::LogTerm> terms;
+    std::vector<shapes::LogTerm> terms;
     for (std::size_t i = 0; i < weights.size(); ++i) {
       check_range("weights", weights[i], -1000, 1000);
       if (weights[i] != 0) terms.push_back({vectors[i].get(), weights[i]});
@@ -49,7 +49,7 @@ struct Sequence {
   }
   // If one weight is 1 and all others are 0, returns the pose with weight 1. Otherwise returns null.
   const document::WholePose* only(std::span<const double> weights,
-                                  const std::vector<deform::LogTerm>& sum) const {
+                                  const std::vector<shapes::LogTerm>& sum) const {
     if (sum.size() != 1 || sum[0].factor != 1) return nullptr;
     return poses[static_cast<std::size_t>(std::ranges::find(weights, 1.0) - weights.begin())].get();
   }
@@ -77,12 +77,12 @@ struct ShapeSpace::Impl : library::Sequence {
       document::WholePose pose;
       pose.shape = std::make_shared<const std::vector<mesh::Point>>(
           library::deformable(library::inside(shape), rest->positions.size(), "a shape"));
-      deform::ShapeReport report;
+      shapes::ShapeReport report;
       vectors.push_back(known.of(pose.shape, vectors.empty() ? nullptr : vectors.back(), pool, report));
       poses.push_back(std::make_shared<const document::WholePose>(std::move(pose)));
     }
   }
-  const deform::ShapeSpace& space() { return *known.shapes(pool); }
+  const shapes::ShapeSpace& space() { return *known.shapes(pool); }
 
   std::shared_ptr<const mesh::Surface> rest;
   base::WorkerPool pool;
@@ -98,9 +98,9 @@ std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
   const base::ForkDelay delay;
   const auto sum = impl_->sum(weights);
   if (const auto* only = impl_->only(weights, sum)) return library::outside(*only->shape);
-  const deform::ShapeSpace& space = impl_->space();
+  const shapes::ShapeSpace& space = impl_->space();
   if (sum.empty()) return library::outside(space.rest());
-  const deform::Held held = space.logs().held_from(space.logs().at_rest(), sum);
+  const shapes::Held held = space.logs().held_from(space.logs().at_rest(), sum);
   return sum_outside(*document::blended(space, sum, &held, impl_->pool));
 }
 
@@ -119,18 +119,18 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
   library::check_range("freedom", freedom, 0, 1);
   if (vertices.empty()) throw base::Error("vertices", "the list is empty", "pass one or more");
   std::vector<char> pinned(impl_->rest->positions.size(), 0);
-  std::vector<deform::PosingPin> pins;
+  std::vector<shapes::PosingPin> pins;
   for (const std::uint32_t v : vertices) {
     if (v >= impl_->rest->positions.size())
       throw base::Error("vertices", "there is no vertex " + std::to_string(v), "use vertex indices from 0");
     if (std::exchange(pinned[v], 1))
       throw base::Error("vertices", "vertex " + std::to_string(v) + " is given twice",
                         "pass each vertex once");
-    pins.push_back({v, firmness > 1e9 ? deform::holding : firmness});
+    pins.push_back({v, firmness > 1e9 ? shapes::holding : firmness});
   }
-  std::vector<const deform::LogVector*> examples;
+  std::vector<const shapes::LogVector*> examples;
   for (const auto& vector : impl_->vectors) examples.push_back(vector.get());
-  deform::ExamplePosing posing(impl_->space(), std::move(examples), impl_->pool);
+  shapes::ExamplePosing posing(impl_->space(), std::move(examples), impl_->pool);
   library::watched(watch, [&](base::Progress* progress) {
     posing.set_pins(std::move(pins));
     posing.solve(targets, {.freedom = freedom}, most_steps, progress);
@@ -141,8 +141,8 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
 
 struct PoseSpace::Impl : library::Sequence {
   Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all)
-      : cage(std::make_shared<const deform::Cage>(
-            deform::make_cage(library::deformable_surface_of(mesh, "the cage")))) {
+      : cage(std::make_shared<const pose::Cage>(
+            pose::make_cage(library::deformable_surface_of(mesh, "the cage")))) {
     if (all.empty()) throw base::Error("poses", "the list is empty", "pass one or more");
     known.follow(cage);
     for (const auto& positions : all) {
@@ -154,7 +154,7 @@ struct PoseSpace::Impl : library::Sequence {
     }
   }
 
-  std::shared_ptr<const deform::Cage> cage;
+  std::shared_ptr<const pose::Cage> cage;
 };
 
 PoseSpace::PoseSpace(const Mesh& cage, std::span<const std::vector<Point3>> poses)
@@ -165,8 +165,8 @@ std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
   const auto sum = impl_->sum(weights);
   if (const auto* only = impl_->only(weights, sum)) return library::outside(only->cage.positions);
   if (sum.empty()) return library::outside(impl_->cage->surface.positions);
-  const deform::PoseSpace& space = *impl_->known.space();
-  const deform::LogSpace& logs = space.logs();
+  const shapes::PoseSpace& space = *impl_->known.space();
+  const shapes::LogSpace& logs = space.logs();
   return sum_outside(space.pose(sum, logs.held_from(logs.at_rest(), sum)).positions);
 }
 

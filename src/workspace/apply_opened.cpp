@@ -103,7 +103,7 @@ bool take_poses(Workspace& w, files::Opened& opened) {
   return true;
 }
 
-void take_pose(Workspace& w, deform::Pose&& pose) {
+void take_pose(Workspace& w, pose::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
   replace_pose(w, [&] { set_pose(w.document, std::move(pose)); });
   if (was_saved) mark_pose_saved(w);  // the opened file contains the pose

@@ -60,7 +60,7 @@ void change_cage(Workspace& w) {
 
 template <class Value>
 void choose_scheme(Workspace& w, Value value) {
-  set_scheme(w.document, deform::chosen(value, w.document.scheme()));
+  set_scheme(w.document, pose::chosen(value, w.document.scheme()));
 }
 
 void add_methods(CommandTable& table) {
@@ -131,9 +131,9 @@ void add_blend_commands(CommandTable& table) {
   table.heading("Method");
   add_methods(table);
   table.heading("Blend");
-  add_choices<deform::Way>(table, "Deformer", no_drag_runs, choose_scheme);
-  add_choices<deform::Weights>(table, "Weights", no_drag_runs, choose_scheme);
-  add_choices<deform::Blend>(table, "Blend", no_drag_runs, choose_scheme);
+  add_choices<pose::Way>(table, "Deformer", no_drag_runs, choose_scheme);
+  add_choices<pose::Weights>(table, "Weights", no_drag_runs, choose_scheme);
+  add_choices<pose::Blend>(table, "Blend", no_drag_runs, choose_scheme);
   table.add(
       "toggle_arap", {"As rigid as possible (ARAP)", "ARAP"},
       "Solve for the whole mesh so that its triangles deform as rigidly as possible. Preserves details, "

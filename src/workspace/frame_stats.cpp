@@ -28,7 +28,7 @@ FrameTimes median_of(std::span<const FrameTimes> frames) {
     return base::median(std::move(values));
   };
   FrameTimes result = frames.back();
-  for (std::size_t i = 0; i < deform::link_count; ++i)
+  for (std::size_t i = 0; i < pose::link_count; ++i)
     result.links.ms[i] = median([i](const FrameTimes& f) { return f.links.ms[i]; });
   for (const auto part : {&FrameTimes::upload, &FrameTimes::draw, &FrameTimes::panels, &FrameTimes::frame})
     result.*part = median([part](const FrameTimes& f) { return f.*part; });

@@ -13,23 +13,23 @@
 
 #include "analysis/field.h"
 #include "base/worker_pool.h"
-#include "deform/links.h"
 #include "mesh/surface.h"
+#include "pose/links.h"
 #include "sym3/exp.h"
 
 namespace viete::workspace {
 
 using analysis::compared_methods;
-using deform::Link;
-using deform::link_count;
-using deform::LinkTimes;
+using pose::Link;
+using pose::link_count;
+using pose::LinkTimes;
 using sym3::Method;
 
 /// Wall times of one frame in milliseconds.
 struct FrameTimes {
   double when = 0;  ///< seconds on a monotonic clock
   Method method = Method::fast;
-  deform::LinkTimes links;  ///< times of the stages; zero if the model was not deformed
+  pose::LinkTimes links;  ///< times of the stages; zero if the model was not deformed
   double upload = 0, draw = 0, panels = 0;
   double frame = 0;               ///< total, from input to the finished picture
   base::WorkerPool::Cost cost{};  ///< of loops and panels; seconds
@@ -76,7 +76,7 @@ struct MethodStats {
 struct MethodTimes {
   static constexpr std::size_t fused = compared_methods.size();
   /// compared_methods in the staged or stitched engine, then `fast` in the fused engine; all 0: not measured
-  std::array<deform::LinkTimes, fused + 1> links{};
+  std::array<pose::LinkTimes, fused + 1> links{};
   double fused_error = 0;  ///< of the frame in the fused engine: see Deformer::sampled_error()
   bool measured = false;   ///< true: measured in the background; false: times of drawn frames
   bool busy = false;       ///< see FrameTimes::busy

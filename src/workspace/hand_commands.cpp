@@ -99,17 +99,17 @@ void add_in_view(Workspace& w) {
   w.view.options.cage = true;  // this option also displays probes
 }
 
-bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
+bool all_are(const Workspace& w, bool (*holds)(const pose::Probe&)) {
   return std::ranges::all_of(w.document.selection().indices(),
                              [&](auto i) { return holds(w.document.probes().all[i]); });
 }
 
 bool all_pull(const Workspace& w) {
-  return all_are(w, [](const deform::Probe& p) { return !p.pin || p.pin->pulls; });
+  return all_are(w, [](const pose::Probe& p) { return !p.pin || p.pin->pulls; });
 }
 
 void toggle_locked(Workspace& w) {
-  set_locked(w.document, !all_are(w, [](const deform::Probe& p) { return p.locked; }));
+  set_locked(w.document, !all_are(w, [](const pose::Probe& p) { return p.locked; }));
 }
 
 }  // namespace

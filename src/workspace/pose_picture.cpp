@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "deform/maps.h"
+#include "pose/maps.h"
 
 namespace viete::workspace {
 
@@ -58,7 +58,7 @@ PictureView::PictureView(const PictureAngles& angles, const Frame& frame)
 }
 
 Vec3 PictureView::seen(const Point& p) const {
-  return deform::times(turn_, p);
+  return pose::times(turn_, p);
 }
 
 glm::vec2 PictureView::at(const Point& p) const {

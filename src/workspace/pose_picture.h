@@ -78,7 +78,7 @@ private:
     document::SharedPose pose;
     std::vector<PictureShape> shapes;
   };
-  std::shared_ptr<const deform::Cage> cage_;
+  std::shared_ptr<const pose::Cage> cage_;
   std::shared_ptr<const mesh::Surface> model_;
   document::UpAxis up_ = document::UpAxis::y;
   std::map<const document::WholePose*, Picture> pictures_;

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "base/atomic_file.h"
-#include "deform/pose_io.h"
 #include "document/brush.h"
 #include "document/pose_edit.h"
 #include "files/output.h"
 #include "formats/format_table.h"
 #include "formats/write.h"
+#include "pose/pose_io.h"
 #include "workspace/playing.h"
 #include "workspace/split.h"
 
@@ -44,7 +44,7 @@ bool is_timeline_pose(const Workspace& w) {
 
 // True if the probes equal the saved probes. If `by_time`, ignores poses of unlocked probes: keys set them.
 bool same_probes(const Workspace& w, const document::DocumentState& saved, bool by_time) {
-  deform::Probes now = w.document.probes();
+  pose::Probes now = w.document.probes();
   for (std::size_t i = 0; by_time && i < std::min(now.all.size(), saved.probes.all.size()); ++i)
     if (!now.all[i].locked) now.all[i].pose = saved.probes.all[i].pose;
   return now == saved.probes;
@@ -64,7 +64,7 @@ bool same_timeline(const Workspace& w, const document::DocumentState& saved) {
   if (now == saved.timeline) return true;
   const auto is_saved = [&](const document::PoseKey& left) {
     const auto is_same = [&](const document::PoseKey& key) { return *key.pose == *left.pose; };
-    const auto same_probe = [](const deform::ProbePose& pose, const deform::Probe& probe) {
+    const auto same_probe = [](const pose::ProbePose& pose, const pose::Probe& probe) {
       return probe.locked || pose == probe.pose;
     };
     return std::ranges::any_of(saved.timeline.unkeyed, is_same) ||
@@ -92,7 +92,7 @@ bool save_session(Workspace& w, const fs::path& path) {
 
 bool save_pose(Workspace& w, const fs::path& path) {
   return attempt(w, "pose", path, document::the_pose, [&] {
-    deform::write_pose(path, *w.document.cage(), real_pose(w.document));
+    pose::write_pose(path, *w.document.cage(), real_pose(w.document));
     mark_pose_saved(w);
   });
 }

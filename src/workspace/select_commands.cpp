@@ -47,7 +47,7 @@ void select_linked(Workspace& w) {
   set_selection(w.document, linked(*w.document.cage(), selection_or_hovered(w)));
 }
 
-template <document::Selection (*Change)(const deform::Cage&, const document::Selection&)>
+template <document::Selection (*Change)(const pose::Cage&, const document::Selection&)>
 void change_selection(Workspace& w) {
   set_selection(w.document, Change(*w.document.cage(), w.document.selection()));
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "deform/scheme.h"
 #include "document/checks.h"
 #include "document/elements.h"
 #include "document/probes.h"
+#include "pose/scheme.h"
 
 namespace viete::workspace {
 
@@ -32,7 +32,7 @@ mesh::Bounds cube_around(const mesh::Point& center, double half) {
 }
 
 // The posed positions of all vertices that belong to triangles of the cage.
-std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
+std::vector<mesh::Point> element_points(const pose::Cage& cage, const pose::Pose& pose) {
   std::vector<bool> used(pose.positions.size());
   for (const auto& t : cage.surface.triangles)
     for (const auto v : t) used[v] = true;
@@ -46,7 +46,7 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
 std::vector<mesh::Point> around_probes(const document::Document& document) {
   std::vector<mesh::Point> points;
   for (const auto i : document.selection().indices()) {
-    const deform::Probe& probe = document.probes().all[i];
+    const pose::Probe& probe = document.probes().all[i];
     const double half = 0.5 * std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
     const auto box = corners(cube_around(probe_center(document, i), half));
     points.insert(points.end(), box.begin(), box.end());
@@ -68,14 +68,14 @@ void widen(std::vector<glm::vec3>& points) {
 }
 
 // The first deformer that no view uses. If views use all deformers, returns the document's deformer.
-deform::Scheme unused_scheme(const Workspace& w) {
-  const auto is_used = [&](const deform::Scheme& scheme) {
+pose::Scheme unused_scheme(const Workspace& w) {
+  const auto is_used = [&](const pose::Scheme& scheme) {
     for (std::size_t view = 0; view < w.view.split.count(); ++view)
       if (shown_way(w, view).scheme == scheme) return true;
     return false;
   };
-  for (const auto way : base::all_values<deform::Way>()) {
-    const deform::Scheme scheme = deform::scheme_of(way, w.document.scheme());
+  for (const auto way : base::all_values<pose::Way>()) {
+    const pose::Scheme scheme = pose::scheme_of(way, w.document.scheme());
     if (!is_used(scheme)) return scheme;
   }
   return w.document.scheme();
@@ -84,7 +84,7 @@ deform::Scheme unused_scheme(const Workspace& w) {
 }  // namespace
 
 std::size_t running_times(const Workspace& w) {
-  if (deform::engine_for(w.document.scheme(), w.document.method()) == deform::EngineKind::fused)
+  if (pose::engine_for(w.document.scheme(), w.document.method()) == pose::EngineKind::fused)
     return MethodTimes::fused;
   return static_cast<std::size_t>(std::ranges::find(compared_methods, w.document.method()) -
                                   compared_methods.begin());
@@ -216,7 +216,7 @@ void cancel_widget_edit(Workspace& w) {
   if (!w.making.open) take_back(w.document, std::move(before.document));
 }
 
-void take_report(Workspace& w, const deform::LogReport& report) {
+void take_report(Workspace& w, const pose::LogReport& report) {
   document::Document& document = w.document;
   document.put_drawn_turns(report.turns);
   w.frame.notes = document::pose_notes(report, *document.cage(), document.pose());

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "base/background.h"
-#include "deform/maps.h"
 #include "document/animation.h"
 #include "document/brush.h"
 #include "document/cage_making.h"
@@ -29,6 +28,7 @@
 #include "interact/picking.h"
 #include "interact/transform.h"
 #include "interact/transform_drag.h"
+#include "pose/maps.h"
 #include "workspace/check_state.h"
 #include "workspace/file_browser.h"
 #include "workspace/frame_stats.h"
@@ -56,7 +56,7 @@ struct Playback {
   document::VectorCache vectors{};
   std::shared_ptr<const document::Animation> animation{};  ///< see animation_of(); null without keys
   document::Timeline timeline{};
-  std::shared_ptr<const deform::Cage> cage{};
+  std::shared_ptr<const pose::Cage> cage{};
   std::shared_ptr<const mesh::Surface> model{};
   mutable TimedPose by_time{};         ///< the pose that was computed last
   unsigned long seen_revision = 0;     ///< the last revision of the history that playback has handled
@@ -126,8 +126,8 @@ struct Saved {
   document::DocumentState state{};         ///< its pose is the real_pose(); empty for recovered edits
   bool recovered = false;                  ///< the document contains recovered edits that are not saved yet
 
-  void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
-  void put_pose(deform::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
+  void put_cage(std::shared_ptr<const pose::Cage> cage) { state.cage = std::move(cage), ++revision_; }
+  void put_pose(pose::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
   void reset() { revision_ = std::exchange(*this, {}).revision_ + 1; }
   /// Increases with each change.
   unsigned long revision() const { return revision_; }
@@ -165,7 +165,7 @@ struct KeyList {
 };
 
 struct CopiedPose {
-  std::shared_ptr<const deform::Cage> cage;
+  std::shared_ptr<const pose::Cage> cage;
   std::vector<std::uint32_t> vertices;
   std::vector<mesh::Point> positions;  ///< one per vertex
 
@@ -244,7 +244,7 @@ struct Panels {
 struct FrameResults {
   document::PosedModel posed;      ///< the model as drawn
   std::vector<std::string> notes;  ///< problems of the current pose, one line each
-  deform::LogReport report;        ///< the elements with these problems
+  pose::LogReport report;          ///< the elements with these problems
   document::PinPosing pins;
   MethodStats methods;
   MethodTimes method_times;
@@ -332,6 +332,6 @@ void step_element(Workspace& workspace, int step);
 /// Moves the camera to the highlighted elements.
 void frame_finding(Workspace& workspace);
 /// Stores the report's turns in the pose, see Pose::turns. Stores the report and its notes in the workspace.
-void take_report(Workspace& workspace, const deform::LogReport& report);
+void take_report(Workspace& workspace, const pose::LogReport& report);
 
 }  // namespace viete::workspace

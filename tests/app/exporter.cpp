@@ -33,7 +33,7 @@ TEST_CASE("exports_are_written_in_turn_and_each_is_said") {
 
 TEST_CASE("notes_on_an_export_are_only_listed_and_those_of_the_pose_not_repeated") {
   Exports e;
-  deform::Pose& pose = e.workspace.document.changed_pose();
+  pose::Pose& pose = e.workspace.document.changed_pose();
   for (auto& p : pose.positions)
     if (p[1] > 0) p = {-p[0], p[1], -p[2]};  // turns the top half by 180 degrees
   e.workspace.document.put_method(sym3::Method::sd);

@@ -59,7 +59,7 @@ struct Desk {
     REQUIRE(workspace.document.has_cage());
   }
   void edit() {
-    deform::Pose pose = workspace.document.pose();
+    pose::Pose pose = workspace.document.pose();
     pose.positions[0][0] += 0.25;
     document::set_pose(workspace.document, pose);
   }

@@ -71,8 +71,8 @@ TEST_CASE("it_is_bound_as_what_is_open_or_as_the_session_says") {
   const test::CubeFiles files;
   app::Loader loader;
   document::Document current;
-  deform::Scheme scheme = current.scheme();
-  scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.3};
+  pose::Scheme scheme = current.scheme();
+  scheme.weighting = {pose::Elements::face, pose::Weights::cut_off, 0.3};
   current.put_scheme(scheme);
   const Result model = loaded(loader, {What::model, {files.model, files.cage}}, current);
   REQUIRE(model.value);

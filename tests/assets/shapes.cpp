@@ -2,10 +2,10 @@
 #include <doctest/doctest.h>
 
 #include "bench/halfway.h"
-#include "deform/shape_space.h"
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "mesh/summary.h"
+#include "shapes/shape_space.h"
 #include "support/data.h"
 
 using namespace viete;
@@ -25,12 +25,12 @@ Places places_of(const Shape& shape) {
   return formats::PointCache(test::assets_dir() / "dragon" / file).frame(0);
 }
 
-Places halfway(const deform::ShapeSpace& space, const Places& places, base::WorkerPool& pool) {
-  const deform::LogVector vector = space.vector(places, pool);
-  const deform::LogTerm half{&vector, 0.5};
-  deform::LogSpace::Work work;
+Places halfway(const shapes::ShapeSpace& space, const Places& places, base::WorkerPool& pool) {
+  const shapes::LogVector vector = space.vector(places, pool);
+  const shapes::LogTerm half{&vector, 0.5};
+  shapes::LogSpace::Work work;
   Places between(places.size());
-  const deform::LogSpace& logs = space.logs();
+  const shapes::LogSpace& logs = space.logs();
   logs.shape({&half, 1}, logs.held_from(logs.at_rest(), {&half, 1}), pool, work, between);
   return between;
 }
@@ -58,7 +58,7 @@ TEST_CASE("shapes_stand_on_the_ground_and_keep_nine_tenths_of_the_volume") {
 TEST_CASE("halfway_to_its_shapes_the_dragon_keeps_edges_and_volume_in_log_space_alone") {
   const mesh::Surface dragon = formats::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
   base::WorkerPool pool(2);
-  const deform::ShapeSpace space(dragon, pool);
+  const shapes::ShapeSpace space(dragon, pool);
   const std::vector<mesh::Edge> edges = mesh::polygon_edges(dragon);
   for (const Shape& shape : kShapes) {
     CAPTURE(shape.name);

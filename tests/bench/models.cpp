@@ -1,10 +1,10 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
-#include "deform/bind.h"
 #include "deform/deformer.h"
 #include "deform/shapes.h"
 #include "mesh/winding_number.h"
 #include "support/shapes.h"
+#include "weights/bind.h"
 
 using namespace viete;
 
@@ -29,7 +29,7 @@ TEST_CASE("a_star_cage_has_the_requested_faces_and_encloses_the_model") {
 // Checks PlainWeights against an independent implementation.
 TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
   const auto model = test::sphere(2);
-  const auto cage = deform::make_cage(test::moved(test::cube(), 1.7));
+  const auto cage = pose::make_cage(test::moved(test::cube(), 1.7));
   const std::size_t n = model.positions.size(), k = cage.element_count();
   bench::PlainWeights plain(n, k);
   plain.compute(model.positions, cage);
@@ -50,10 +50,10 @@ TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
 
 TEST_CASE("reference_frame_equals_the_staged_frame") {
   const auto model = test::sphere(2);
-  const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(bench::star_cage(model, 50)));
+  const auto cage = std::make_shared<const pose::Cage>(pose::make_cage(bench::star_cage(model, 50)));
   base::WorkerPool pool(1);
-  const auto binding = std::make_shared<const deform::Binding>(deform::bind(model, *cage, {}, pool));
-  deform::Deformer staged(cage, binding, deform::Scheme{binding->weighting}, pool);
+  const auto binding = std::make_shared<const weights::Binding>(weights::bind(model, *cage, {}, pool));
+  deform::Deformer staged(cage, binding, pose::Scheme{binding->weighting}, pool);
   bench::ReferenceFrame reference(*cage, *binding);
   const auto pose = bench::moderate_pose(*cage);
   staged.deform(pose, sym3::Method::diag);

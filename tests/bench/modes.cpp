@@ -8,11 +8,11 @@ using test::box;
 
 namespace {
 
-const deform::Cage cage = deform::make_cage(box({1, 1, 1}, {4, 5, 6}));
+const pose::Cage cage = pose::make_cage(box({1, 1, 1}, {4, 5, 6}));
 const std::vector<mesh::Point> model = test::moved(test::sphere(1), 0.5, 5).positions;
 
 // Applies the affine map that takes four corners of the box to their posed positions.
-std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
+std::vector<mesh::Point> with_the_box(const pose::Pose& pose) {
   const auto& p = pose.positions;
   std::vector<mesh::Point> moved;
   for (const mesh::Point& x : model) {
@@ -22,16 +22,15 @@ std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   return moved;
 }
 
-std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
+std::vector<mesh::Point> by_the_mean(const pose::Pose& pose) {
   mesh::Point mean{0, 0, 0};
   for (std::size_t v = 0; v < 8; ++v) mean = mean + 0.125 * (pose.positions[v] - cage.surface.positions[v]);
   return test::mapped(model, [&](const mesh::Point& x) { return x + mean; });
 }
 
 ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings = {.rounds = 1}) {
-  const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(test::tube(4, 6, 1.6, 4)));
-  const std::vector<NamedPose> poses = {{"rest", deform::rest_pose(*cage)},
-                                        {"moderate", moderate_pose(*cage)}};
+  const auto cage = std::make_shared<const pose::Cage>(pose::make_cage(test::tube(4, 6, 1.6, 4)));
+  const std::vector<NamedPose> poses = {{"rest", pose::rest_pose(*cage)}, {"moderate", moderate_pose(*cage)}};
   base::Progress progress;
   return measure_modes(model, cage, poses, settings, progress);
 }
@@ -44,15 +43,15 @@ TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
     const double by_mean = deviation(pose, cage, model, by_the_mean);
     CHECK((&pose == &whole_poses()[0] ? by_mean < 1e-14 : by_mean > 0.01));
   }
-  const Deform stays = [](const deform::Pose&) { return model; };
+  const Deform stays = [](const pose::Pose&) { return model; };
   CHECK(deviation(whole_poses()[0], cage, model, stays) == doctest::Approx(std::sqrt(0.09 + 0.04 + 0.16)));
-  const Deform one_off = [](const deform::Pose& pose) {
+  const Deform one_off = [](const pose::Pose& pose) {
     auto moved = with_the_box(pose);
     moved[3][1] += 0.25;
     return moved;
   };
   CHECK(deviation(whole_poses()[0], cage, model, one_off) == doctest::Approx(0.25 / cage.diagonal));
-  const Deform lost = [](const deform::Pose&) {
+  const Deform lost = [](const pose::Pose&) {
     return std::vector(model.size(), mesh::Point{std::nan(""), 0, 0});
   };
   CHECK(std::isnan(deviation(whole_poses()[0], cage, model, lost)));
@@ -61,7 +60,7 @@ TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
 TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
   // One of eight vertices moves by 0.1 diagonals. The whole model therefore moves by 0.1 / 8.
   CHECK(leak(cage, model, by_the_mean) == doctest::Approx(0.1 / 8));
-  const Deform near_alone = [](const deform::Pose& pose) {
+  const Deform near_alone = [](const pose::Pose& pose) {
     auto moved = model;
     for (std::size_t v = 0; v < 8; ++v) {
       const auto& from = cage.surface.positions[v];
@@ -74,7 +73,7 @@ TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
   };
   CHECK(leak(cage, model, near_alone) == 0);
   const std::vector<mesh::Point> none;
-  CHECK(std::isnan(leak(cage, none, [&](const deform::Pose&) { return none; })));
+  CHECK(std::isnan(leak(cage, none, [&](const pose::Pose&) { return none; })));
 }
 
 TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
@@ -111,17 +110,17 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
 }
 
 TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
-  const ModeSettings settings{.rounds = 1, .radius = deform::number("radius").largest};
+  const ModeSettings settings{.rounds = 1, .radius = pose::number("radius").largest};
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
   CHECK(compared.without_area == 0);
-  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // one more for Way::arap
-  for (deform::Scheme scheme : deform::valid_schemes()) {
-    scheme.weighting.radius = deform::number("radius").largest;
+  CHECK(compared.modes.size() == pose::valid_schemes().size() + 1);  // one more for Way::arap
+  for (pose::Scheme scheme : pose::valid_schemes()) {
+    scheme.weighting.radius = pose::number("radius").largest;
     const auto found =
         std::ranges::find_if(compared.modes, [&](const Mode& m) { return m.scheme == scheme; });
-    REQUIRE_MESSAGE(found != compared.modes.end(), deform::text(scheme));
-    INFO(deform::text(scheme));
+    REQUIRE_MESSAGE(found != compared.modes.end(), pose::text(scheme));
+    INFO(pose::text(scheme));
     CHECK(found->problem.empty());
     CHECK(found->deviations[0] < exactly);
     CHECK(std::isfinite(found->leak));
@@ -132,15 +131,15 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
     CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
     // mls_rigid distorts less than the other schemes, because it only rotates.
-    CHECK(posed.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
+    CHECK(posed.energy > (scheme.blend == pose::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);
-    if (deform::way_of(scheme) == deform::Way::mean_value) {
+    if (pose::way_of(scheme) == pose::Way::mean_value) {
       CHECK(posed.energy_ratio == 1);
       CHECK(posed.bending_ratio == 1);
       CHECK(found->deviations[3] < exactly);
     }
-    if (deform::way_of(scheme) == deform::Way::paper) {
+    if (pose::way_of(scheme) == pose::Way::paper) {
       CHECK(found->deviations[2] < exactly);
       CHECK(found->deviations[3] > 1e-6);
     }
@@ -166,11 +165,11 @@ TEST_CASE("the_radius_is_that_of_all_modes_and_only_method_fast_has_fused_frames
   const auto all = compare(test::sphere(2));
   for (std::size_t m = 0; m < all.modes.size(); ++m) {
     const Mode& mode = near.modes[m];
-    INFO(deform::text(mode.scheme));
+    INFO(pose::text(mode.scheme));
     CHECK(mode.scheme.weighting.radius == 0.1);
     const bool changed = mode.qualities[1].energy != all.modes[m].qualities[1].energy;
     if (mode.scheme.weighting.partial()) CHECK(changed);
     if (mode.scheme.exponential()) CHECK_FALSE(mode.fused);
-    if (mode.scheme.weighting.weights == deform::Weights::mean_value) CHECK(all.modes[m].fused);
+    if (mode.scheme.weighting.weights == pose::Weights::mean_value) CHECK(all.modes[m].fused);
   }
 }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/maps.h"
+#include "pose/maps.h"
 
 namespace viete::test {
 
@@ -16,8 +16,8 @@ inline std::vector<std::uint32_t> first(std::size_t count) {
   return elements;
 }
 
-inline std::vector<deform::AffineMap> maps_of(const deform::Cage& cage, std::span<const mesh::Point> posed) {
-  std::vector<deform::AffineMap> maps(cage.element_count());
+inline std::vector<pose::AffineMap> maps_of(const pose::Cage& cage, std::span<const mesh::Point> posed) {
+  std::vector<pose::AffineMap> maps(cage.element_count());
   face_maps(cage, posed, pose_origin(cage, posed), first(maps.size()), maps);
   return maps;
 }

@@ -1,8 +1,8 @@
 #include <Eigen/Dense>
 
-#include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/factoring.h"
+#include "weights/binding.h"
+#include "weights/factoring.h"
 
 using namespace viete::test;
 

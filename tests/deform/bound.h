@@ -4,12 +4,12 @@
 #include <doctest/doctest.h>
 #include <memory>
 
-#include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/exact.h"
-#include "deform/scheme.h"
 #include "deform/shapes.h"
+#include "pose/scheme.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
 
 namespace viete::test {
 
@@ -64,7 +64,7 @@ struct Bound {
 inline std::shared_ptr<const Binding> with_tiles(const Bound& bound,
                                                  std::shared_ptr<const TiledBinding> tiles) {
   return std::make_shared<const Binding>(
-      deform::with_tiles(mesh::lent(bound.model), *bound.cage, std::move(tiles)));
+      weights::with_tiles(mesh::lent(bound.model), *bound.cage, std::move(tiles)));
 }
 
 /// A fused engine and the state of its cage.
@@ -100,9 +100,9 @@ struct Frames {
       : scheme(scheme_),
         staged(model, cage, scheme.weighting, threads, scheme.blend),
         fused(staged.cage,
-              std::make_shared<const Binding>(deform::bind(mesh::lent(staged.model), *staged.cage,
-                                                           scheme.weighting, EngineKind::fused, nullptr,
-                                                           staged.pool)),
+              std::make_shared<const Binding>(weights::bind(mesh::lent(staged.model), *staged.cage,
+                                                            scheme.weighting, EngineKind::fused, nullptr,
+                                                            staged.pool)),
               scheme, staged.pool,
               scheme.stitched()
                   ? std::make_shared<const Stitching>(stitch(model, *staged.cage, staged.pool, scheme))

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "deform/branches.h"
-#include "deform/maps.h"
 #include "deform/shapes.h"
+#include "pose/branches.h"
+#include "pose/maps.h"
 
 using namespace viete::test;
 using Edges = std::vector<viete::mesh::Edge>;
@@ -123,8 +123,8 @@ namespace {
 Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)
-    rotations.push_back(deform::times(similarity({0, 0, 1}, about_z * degree).linear,
-                                      similarity({1, 0, 0}, (10 + center[2] * degrees) * degree).linear));
+    rotations.push_back(pose::times(similarity({0, 0, 1}, about_z * degree).linear,
+                                    similarity({1, 0, 0}, (10 + center[2] * degrees) * degree).linear));
   return rotations;
 }
 

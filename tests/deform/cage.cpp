@@ -2,9 +2,9 @@
 #include <cstring>
 
 #include "deform/all_maps.h"
-#include "deform/cage.h"
-#include "deform/cage_state.h"
 #include "deform/shapes.h"
+#include "pose/cage.h"
+#include "pose/cage_state.h"
 
 using namespace viete::test;
 using viete::mesh::from_triangles;

@@ -156,8 +156,8 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
       CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < bound);
     }
     const auto both = std::make_shared<const Binding>(
-        viete::deform::bind(viete::mesh::lent(f.staged.model), *f.staged.cage, scheme.weighting,
-                            EngineKind::staged, &f.fused.binding(), f.staged.pool));
+        viete::weights::bind(viete::mesh::lent(f.staged.model), *f.staged.cage, scheme.weighting,
+                             EngineKind::staged, &f.fused.binding(), f.staged.pool));
     CHECK(both->tiles == f.fused.binding().tiles);
     Deformer any(f.staged.cage, both, scheme, f.staged.pool);
     any.deform(pose, Method::fast);

@@ -1,4 +1,4 @@
-#include "deform/example_posing.h"
+#include "shapes/example_posing.h"
 
 #include <doctest/doctest.h>
 

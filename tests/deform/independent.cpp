@@ -243,10 +243,10 @@ void divide_by_sum(std::vector<Quad>& weights) {
   for (Quad& w : weights) w /= sum;
 }
 
-std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, deform::Elements elements) {
+std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, pose::Elements elements) {
   std::vector<Quad> squares;
   const auto& x = cage.positions;
-  if (elements == deform::Elements::point) {
+  if (elements == pose::Elements::point) {
     for (const auto& v : x) squares.push_back(inner(minus(p, quad(v)), minus(p, quad(v))));
   } else {
     for (const auto& t : cage.triangles) squares.push_back(squared_distance(p, corners(t, x)));
@@ -343,7 +343,7 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
 // factors v are the positive weights; m and m' are the means of p and p'. Each point p stands for a cloud of
 // points, which moves by the map of the patch at p. The rotation is B * (B^T * B)^-1/2; B must not mirror.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
-                        const std::vector<Quad>& weights, deform::Blend blend) {
+                        const std::vector<Quad>& weights, pose::Blend blend) {
   const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);
   std::vector<Quad> positive;
   for (const Quad w : weights) positive.push_back(w > 0 ? w : 0);
@@ -359,10 +359,10 @@ Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const Indepe
     }
   }
   const Vector offset = minus(x, from);
-  if (blend == deform::Blend::mls_affine) return plus(to, times(quad_product(b, quad_inverse(k)), offset));
+  if (blend == pose::Blend::mls_affine) return plus(to, times(quad_product(b, quad_inverse(k)), offset));
   const QuadSym squared = squared_stretch(b);
   const Vector turned = times(quad_product(b, full(quad_inv_sqrt(squared))), offset);
-  if (blend == deform::Blend::mls_rigid) return plus(to, turned);
+  if (blend == pose::Blend::mls_rigid) return plus(to, turned);
   const QuadSym s = quad_function(squared, [](Quad y) { return sqrtq(y); });
   return plus(to, turned, (s.xx + s.yy + s.zz) / (k[0] + k[4] + k[8]));
 }
@@ -379,33 +379,32 @@ double largest_step(const std::vector<Element>& elements, const Lists& around) {
   return std::acos(static_cast<double>((least - 1) / 2));
 }
 
-std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const deform::Weighting& weighting) {
-  if (weighting.weights == deform::Weights::mean_value) return mean_value(x, cage);
+std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const pose::Weighting& weighting) {
+  if (weighting.weights == pose::Weights::mean_value) return mean_value(x, cage);
   const auto squares = squared_distances(x, cage, weighting.elements);
-  if (weighting.weights == deform::Weights::cut_off)
-    return cut_off(squares, weighting.radius * size_of(cage));
+  if (weighting.weights == pose::Weights::cut_off) return cut_off(squares, weighting.radius * size_of(cage));
   return inverse_distance(squares);
 }
 
 // If the weights sum to less than 1, the identity about x gets the remaining weight.
 Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Quad> weights,
-                   deform::Blend blend) {
+                   pose::Blend blend) {
   elements.push_back({x, x});
   weights.push_back(1 - sum_of(weights));
-  return blend == deform::Blend::srl ? by_logs(x, elements, weights) : by_maps(x, elements, weights);
+  return blend == pose::Blend::srl ? by_logs(x, elements, weights) : by_maps(x, elements, weights);
 }
 
 Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                 const std::vector<Element>& elements, const std::vector<Quad>& w,
-                const deform::Scheme& scheme) {
-  if (deform::fits_points(scheme.blend)) {
+                const pose::Scheme& scheme) {
+  if (pose::fits_points(scheme.blend)) {
     const Quad share = sum_of(w);
     if (!(share > 0)) return x;
     auto whole = w;
     divide_by_sum(whole);
     return plus(x, minus(by_least_squares(x, cage, pose, whole, scheme.blend), x), share);
   }
-  if (scheme.weighting.elements == deform::Elements::point)
+  if (scheme.weighting.elements == pose::Elements::point)
     return plus(x, minus(mean(pose.positions, w), mean(cage.positions, w)));
   return by_elements(x, elements, w, scheme.blend);
 }
@@ -413,7 +412,7 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
 }  // namespace
 
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
-                                      const IndependentPose& pose, const deform::Scheme& scheme) {
+                                      const IndependentPose& pose, const pose::Scheme& scheme) {
   Maps maps;
   if (scheme.has_maps()) {
     maps = face_maps(cage, pose.positions);

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "deform/maps.h"
-#include "deform/scheme.h"
 #include "mesh/surface.h"
+#include "pose/maps.h"
+#include "pose/scheme.h"
 
 namespace viete::test {
 
@@ -16,8 +16,8 @@ struct IndependentPose {
   std::array<double, 3> turn{0, 0, 0};  ///< the logs are the branches near this rotation vector
   double moment_length = 0;             ///< the radius of the point clouds for fitted maps
   // The next two members are not computed again here, because other tests check them.
-  std::span<const double> weights{};             ///< weights along the surface, one row per point
-  std::span<const deform::AffineMap> patches{};  ///< maps of patches, one per vertex of the cage
+  std::span<const double> weights{};           ///< weights along the surface, one row per point
+  std::span<const pose::AffineMap> patches{};  ///< maps of patches, one per vertex of the cage
 };
 
 struct IndependentFrame {
@@ -34,6 +34,6 @@ struct IndependentFrame {
 /// The cage must be one closed part. Its triangles must have area at rest and posed. No point may be on the
 /// cage. Ignores the scheme's amounts and iterations.
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
-                                      const IndependentPose& pose, const deform::Scheme& scheme);
+                                      const IndependentPose& pose, const pose::Scheme& scheme);
 
 }  // namespace viete::test

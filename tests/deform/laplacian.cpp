@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 #include <Eigen/SparseCore>
 
-#include "deform/laplacian.h"
 #include "deform/shapes.h"
+#include "weights/laplacian.h"
 
 using namespace viete;
 using namespace viete::test;

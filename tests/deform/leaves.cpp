@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 #include <set>
 
-#include "deform/leaves.h"
 #include "deform/shapes.h"
+#include "weights/leaves.h"
 
 using namespace viete::test;
 

@@ -1,12 +1,12 @@
-#include "deform/part_coupling.h"
+#include "weights/part_coupling.h"
 
 #include "deform/bound.h"
-#include "deform/pose_io.h"
 #include "deform/shapes.h"
 #include "formats/read.h"
 #include "mesh/edge_paths.h"
 #include "mesh/repair.h"
 #include "mesh/union_find.h"
+#include "pose/pose_io.h"
 #include "support/data.h"
 
 using namespace viete;

@@ -1,4 +1,4 @@
-#include "deform/patch_maps.h"
+#include "pose/patch_maps.h"
 
 #include "deform/all_maps.h"
 #include "deform/bound.h"

@@ -1,4 +1,4 @@
-#include "deform/point_weights.h"
+#include "weights/point_weights.h"
 #include "deform/bound.h"
 
 using namespace viete::test;

@@ -1,7 +1,7 @@
 // Results depend on the polygons of cage and model, and not on their triangles or order.
 
 #include "deform/bound.h"
-#include "deform/shape_space.h"
+#include "shapes/shape_space.h"
 #include "support/shapes.h"
 
 using namespace viete;
@@ -58,7 +58,7 @@ std::vector<mesh::Surface> polygon_cages() {
 std::vector<mesh::Point> deformed(const mesh::Surface& model, const mesh::Surface& cage,
                                   const std::vector<mesh::Point>& pose, const Scheme& scheme) {
   base::WorkerPool pool(1);
-  return deform_exactly(model, std::make_shared<const Cage>(make_cage(cage)), scheme, {pose, {}},
+  return deform::deform_exactly(model, std::make_shared<const Cage>(make_cage(cage)), scheme, {pose, {}},
                         sym3::Method::diag, pool)
       .positions;
 }

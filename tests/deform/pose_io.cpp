@@ -1,4 +1,4 @@
-#include "deform/pose_io.h"
+#include "pose/pose_io.h"
 
 #include "deform/shapes.h"
 #include "formats/read.h"

@@ -1,4 +1,4 @@
-#include "deform/pose_space.h"
+#include "shapes/pose_space.h"
 
 #include <doctest/doctest.h>
 
@@ -142,7 +142,7 @@ TEST_CASE("poses_far_from_rest_lose_only_rounding") {
 TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
   const Posed p(tube(9, 7, 0.3, 2));
   const auto posed = shaken(p, 0.02);
-  const Vec3 middle = deform::middle(posed);
+  const Vec3 middle = pose::middle(posed);
   for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0.6, 0, -0.8}}) {
     for (const double count : {1.0, -2.0}) {
       const LogVector from = p.space.vector({posed, {{0, 0, 0}}});

@@ -305,8 +305,8 @@ TEST_CASE("without_a_cage_a_model_stays_at_rest_and_follows_probes") {
   viete::base::WorkerPool pool(2);
   const auto cage = std::make_shared<const Cage>(no_cage(viete::mesh::used_bounds(probed_tube())));
   const auto binding = std::make_shared<const Binding>(
-      viete::deform::bind(std::make_shared<const viete::mesh::Surface>(probed_tube()), *cage,
-                          no_motion().weighting, EngineKind::fused, nullptr, pool));
+      viete::weights::bind(std::make_shared<const viete::mesh::Surface>(probed_tube()), *cage,
+                           no_motion().weighting, EngineKind::fused, nullptr, pool));
   Deformer deformer(cage, binding, no_motion(), pool);
   deformer.set_probes({{probe_at({0, 0, 1}, within(0.8))}});
   deformer.deform(rest_pose(*cage), Method::fast);

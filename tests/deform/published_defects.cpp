@@ -126,7 +126,7 @@ TEST_CASE("a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights
   base::WorkerPool pool(2);
   const double pairs = static_cast<double>(model.positions.size() * cage.element_count());
   for (const Weighting& weighting : {faces, test::cut_off(0.2)}) {
-    const Binding b = deform::bind(mesh::lent(model), cage, weighting, EngineKind::fused, nullptr, pool);
+    const Binding b = weights::bind(mesh::lent(model), cage, weighting, EngineKind::fused, nullptr, pool);
     CHECK(b.weights.empty());
     CHECK(static_cast<double>(b.tiles->bytes()) < 0.26 * pair * pairs);
   }

@@ -1,6 +1,6 @@
 #include "deform/bound.h"
-#include "deform/pose_io.h"
 #include "formats/read.h"
+#include "pose/pose_io.h"
 #include "support/data.h"
 
 using namespace viete;

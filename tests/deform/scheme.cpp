@@ -2,10 +2,10 @@
 #include <set>
 
 #include "base/error.h"
-#include "deform/scheme.h"
+#include "pose/scheme.h"
 #include "support/text.h"
 
-using namespace viete::deform;
+using namespace viete::pose;
 using viete::test::mentions;
 
 namespace {

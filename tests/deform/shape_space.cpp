@@ -1,4 +1,4 @@
-#include "deform/shape_space.h"
+#include "shapes/shape_space.h"
 
 #include <doctest/doctest.h>
 

@@ -7,15 +7,25 @@
 #include <span>
 #include <vector>
 
-#include "deform/cage.h"
+#include "pose/cage.h"
 #include "support/distance.h"
 #include "support/random.h"
 #include "sym3/rotation.h"
 
+// Not every test includes a header of each room.
+namespace viete::sparse {}
+namespace viete::weights {}
+namespace viete::deform {}
+namespace viete::shapes {}
+
 namespace viete::test {
 
-using deform::Vec3;
+using mesh::Vec3;
+using namespace pose;
+using namespace weights;
 using namespace deform;
+using namespace shapes;
+using namespace sparse;
 
 inline constexpr double degree = std::numbers::pi / 180;
 

@@ -2,9 +2,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
-#include "deform/laplacian.h"
 #include "deform/shapes.h"
-#include "deform/sparse/sparse_cholesky.h"
+#include "sparse/sparse_cholesky.h"
+#include "weights/laplacian.h"
 
 using namespace viete;
 using namespace viete::test;

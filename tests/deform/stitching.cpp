@@ -26,7 +26,7 @@ struct StitchScene {
 
   std::vector<mesh::Point> deform(const Pose& pose, const Scheme& scheme = stitched()) const {
     base::WorkerPool pool(2);
-    return deform_exactly(model, cage, scheme, pose, sym3::Method::fast, pool).positions;
+    return deform::deform_exactly(model, cage, scheme, pose, sym3::Method::fast, pool).positions;
   }
   template <class Map>
   Pose pose(const Map& map) const {

@@ -1,4 +1,4 @@
-#include "deform/surface_proxy.h"
+#include "weights/surface_proxy.h"
 
 #include "deform/bound.h"
 #include "support/shapes.h"
@@ -17,22 +17,22 @@ mesh::Surface ring(std::size_t count) {
   return torus;
 }
 
-const deform::Cage& box_cage() {
-  static const deform::Cage cage = deform::make_cage(test::box({3, 3, 1}));
+const pose::Cage& box_cage() {
+  static const pose::Cage cage = pose::make_cage(test::box({3, 3, 1}));
   return cage;
 }
 
-constexpr deform::Weighting biharmonic{deform::Elements::face, deform::Weights::biharmonic};
+constexpr pose::Weighting biharmonic{pose::Elements::face, pose::Weights::biharmonic};
 
 }  // namespace
 
 TEST_CASE("factors_of_a_proxy_sum_to_one_and_reproduce_positions") {
   base::WorkerPool pool(1);
   const mesh::Surface model = ring(20'000);
-  const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 2000, pool);
+  const weights::SurfaceProxy proxy(model, &box_cage(), pose::Elements::face, 2000, pool);
   CHECK(proxy.surface().positions.size() <= 2100);
   CHECK(proxy.surface().positions.size() > 500);
-  std::vector<deform::SurfaceProxy::Term> terms;
+  std::vector<weights::SurfaceProxy::Term> terms;
   const double size = mesh::bounds(model.positions).diagonal();
   double worst = 0;
   for (std::uint32_t v = 0; v < model.positions.size(); v += 7) {
@@ -51,8 +51,8 @@ TEST_CASE("values_of_a_proxy_are_not_extrapolated_at_sharp_edges") {
   base::WorkerPool pool(1);
   mesh::Surface model = ring(20'000);
   for (auto& p : model.positions) p[2] *= 0.02;
-  const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 2000, pool);
-  std::vector<deform::SurfaceProxy::Term> terms;
+  const weights::SurfaceProxy proxy(model, &box_cage(), pose::Elements::face, 2000, pool);
+  std::vector<weights::SurfaceProxy::Term> terms;
   double worst = 0;
   for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
     proxy.terms(v, terms);
@@ -66,9 +66,9 @@ TEST_CASE("values_of_a_proxy_are_not_extrapolated_at_sharp_edges") {
 TEST_CASE("weights_by_a_proxy_are_near_those_of_the_whole_model") {
   base::WorkerPool pool;
   const mesh::Surface model = ring(30'000);
-  const deform::Cage& cage = box_cage();
-  const deform::Binding whole = deform::bind(model, cage, biharmonic, pool);
-  const deform::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 4000);
+  const pose::Cage& cage = box_cage();
+  const weights::Binding whole = weights::bind(model, cage, biharmonic, pool);
+  const weights::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 4000);
   std::vector<double> row(whole.handles);
   double worst = 0;
   for (std::uint32_t v = 0; v < whole.vertices; v += 11) {
@@ -88,7 +88,7 @@ TEST_CASE("many_small_parts_share_clusters_that_move_them_as_one") {
     std::vector<mesh::Triangle> triangles;
     for (std::size_t i = 0; i < count; ++i) {
       const auto first = std::uint32_t(all.positions.size());
-      const deform::Vec3 center = random.vector(1);
+      const mesh::Vec3 center = random.vector(1);
       for (const auto& p : flake.positions) all.positions.push_back(center + 0.01 * (p + random.vector(0.1)));
       for (const auto& [a, b, c] : flake.triangles) triangles.push_back({first + a, first + b, first + c});
     }
@@ -102,13 +102,13 @@ TEST_CASE("many_small_parts_share_clusters_that_move_them_as_one") {
     if (i > 0) strip.push_back({2 * i - 2, 2 * i - 1, 2 * i}), strip.push_back({2 * i, 2 * i - 1, 2 * i + 1});
   }
   card = mesh::from_triangles(card.positions, strip);
-  const deform::Cage cage = deform::make_cage(test::box({1.5, 1.5, 1.5}));
+  const pose::Cage cage = pose::make_cage(test::box({1.5, 1.5, 1.5}));
   for (const mesh::Surface& model : {flakes(8000, leaf), flakes(4000, test::box()), flakes(400, card)}) {
-    const deform::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 3000);
-    const deform::SurfaceProxy& proxy = weights.proxy();
+    const weights::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 3000);
+    const weights::SurfaceProxy& proxy = weights.proxy();
     CHECK(proxy.surface().positions.size() < 4100);
     CHECK(proxy.gathered() > model.positions.size() / 2);
-    std::vector<deform::SurfaceProxy::Term> terms;
+    std::vector<weights::SurfaceProxy::Term> terms;
     std::vector<double> row(cage.centers.size()), next(row.size());
     for (std::uint32_t v = 0; v + 1 < model.positions.size(); v += 5) {
       proxy.terms(v, terms);
@@ -129,8 +129,8 @@ TEST_CASE("layers_closer_than_a_cell_stay_apart_in_a_proxy") {
   mesh::Surface other = model;
   for (auto& p : other.positions) p[2] += 1e-4;
   model = test::both(model, other);
-  const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 1000, pool);
-  std::vector<deform::SurfaceProxy::Term> terms;
+  const weights::SurfaceProxy proxy(model, &box_cage(), pose::Elements::face, 1000, pool);
+  std::vector<weights::SurfaceProxy::Term> terms;
   std::vector<int> layer(proxy.surface().positions.size(), 0);
   for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
     proxy.terms(v, terms);
@@ -142,8 +142,8 @@ TEST_CASE("layers_closer_than_a_cell_stay_apart_in_a_proxy") {
 TEST_CASE("a_large_model_at_rest_stays_at_rest_with_weights_of_a_proxy" * doctest::test_suite(test::longer)) {
   base::WorkerPool pool;
   const mesh::Surface model = ring(std::size_t(test::rounds(90'000, 3'200'000)));
-  REQUIRE(model.positions.size() > deform::most_solved_vertices);
-  const deform::TiledBinding tiles = deform::bind_tiles(model, box_cage(), biharmonic, pool);
+  REQUIRE(model.positions.size() > weights::most_solved_vertices);
+  const weights::TiledBinding tiles = weights::bind_tiles(model, box_cage(), biharmonic, pool);
   std::vector<double> row(tiles.handles);
   for (std::size_t slot = 0; slot < tiles.leaves.slot_count(); slot += 101) {
     tiles.kept_row(slot, row);
@@ -154,14 +154,14 @@ TEST_CASE("a_large_model_at_rest_stays_at_rest_with_weights_of_a_proxy" * doctes
 
 TEST_CASE("weights_compressed_per_cluster_are_within_the_tolerance") {
   base::WorkerPool pool;
-  const mesh::Surface model = ring(deform::most_solved_vertices + 10'000);
+  const mesh::Surface model = ring(weights::most_solved_vertices + 10'000);
   mesh::Surface around = test::torus(14, 7);
   for (auto& p : around.positions) p = 1.3 * p;
-  const deform::Cage cage = deform::make_cage(around);
-  const deform::TiledBinding tiles = deform::bind_tiles(model, cage, biharmonic, pool);
-  REQUIRE(tiles.storage() == deform::Storage::factors);
-  const auto slots = deform::slots_of(tiles.leaves);
-  const auto vertices = deform::spread_vertices(tiles.leaves.vertices, deform::error_sample);
+  const pose::Cage cage = pose::make_cage(around);
+  const weights::TiledBinding tiles = weights::bind_tiles(model, cage, biharmonic, pool);
+  REQUIRE(tiles.storage() == weights::Storage::factors);
+  const auto slots = weights::slots_of(tiles.leaves);
+  const auto vertices = weights::spread_vertices(tiles.leaves.vertices, weights::error_sample);
   std::vector<double> kept(tiles.handles);
   double worst = 0;
   for (std::size_t s = 0; s < vertices.size(); ++s) {
@@ -171,8 +171,8 @@ TEST_CASE("weights_compressed_per_cluster_are_within_the_tolerance") {
       square += std::pow(kept[j] - tiles.sample[s * tiles.handles + j], 2);
     worst = std::max(worst, std::sqrt(square));
   }
-  CHECK(worst <= deform::usual_tolerance);
-  CHECK(worst > 0.01 * deform::usual_tolerance);
+  CHECK(worst <= weights::usual_tolerance);
+  CHECK(worst > 0.01 * weights::usual_tolerance);
 }
 
 TEST_CASE("springs_of_a_proxy_are_at_the_same_points_as_those_of_the_model") {
@@ -181,9 +181,9 @@ TEST_CASE("springs_of_a_proxy_are_at_the_same_points_as_those_of_the_model") {
   mesh::Surface inner = one;
   for (auto& p : inner.positions) p = 0.97 * p;
   for (const mesh::Surface& model : {one, test::both(one, inner)}) {
-    const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 2000, pool);
-    const auto whole = deform::owned_vertices(model, box_cage(), deform::Elements::face, pool);
-    const auto coarse = deform::owned_vertices(proxy.surface(), box_cage(), deform::Elements::face, pool);
+    const weights::SurfaceProxy proxy(model, &box_cage(), pose::Elements::face, 2000, pool);
+    const auto whole = weights::owned_vertices(model, box_cage(), pose::Elements::face, pool);
+    const auto coarse = weights::owned_vertices(proxy.surface(), box_cage(), pose::Elements::face, pool);
     for (std::size_t h = 0; h < whole.of_handle.size(); ++h)
       CHECK(proxy.surface().positions[coarse.of_handle[h][0].vertex] ==
             model.positions[whole.of_handle[h][0].vertex]);
@@ -192,16 +192,17 @@ TEST_CASE("springs_of_a_proxy_are_at_the_same_points_as_those_of_the_model") {
 
 TEST_CASE("binding_by_a_proxy_reports_its_progress_and_can_be_cancelled") {
   base::WorkerPool pool;
-  const mesh::Surface model = ring(deform::most_solved_vertices + 10'000);
+  const mesh::Surface model = ring(weights::most_solved_vertices + 10'000);
   base::Progress progress;
-  deform::bind(model, box_cage(), biharmonic, pool, &progress);
+  weights::bind(model, box_cage(), biharmonic, pool, &progress);
   CHECK(progress.done() == 1);
-  deform::bind_tiles(model, box_cage(), biharmonic, pool, deform::usual_tolerance, &progress);
+  weights::bind_tiles(model, box_cage(), biharmonic, pool, weights::usual_tolerance, &progress);
   CHECK(progress.done() == 1);
   progress.cancel();
-  CHECK_THROWS_AS(deform::bind(model, box_cage(), biharmonic, pool, &progress), base::Cancelled);
-  CHECK_THROWS_AS(deform::bind_tiles(model, box_cage(), biharmonic, pool, deform::usual_tolerance, &progress),
-                  base::Cancelled);
+  CHECK_THROWS_AS(weights::bind(model, box_cage(), biharmonic, pool, &progress), base::Cancelled);
+  CHECK_THROWS_AS(
+      weights::bind_tiles(model, box_cage(), biharmonic, pool, weights::usual_tolerance, &progress),
+      base::Cancelled);
 }
 
 TEST_CASE("a_model_too_large_for_memory_is_refused_before_its_weights_are_solved") {
@@ -209,9 +210,10 @@ TEST_CASE("a_model_too_large_for_memory_is_refused_before_its_weights_are_solved
   base::WorkerPool pool(1);
   mesh::Surface model = test::torus(60, 20);
   model.positions.resize(4'000'000, model.positions[0]);
-  const deform::Cage cage = deform::make_cage(test::torus(300, 100));
+  const pose::Cage cage = pose::make_cage(test::torus(300, 100));
   base::Progress progress;
-  CHECK_THROWS_WITH_AS(deform::bind_tiles(model, cage, biharmonic, pool, deform::usual_tolerance, &progress),
-                       doctest::Contains("GB of memory, of which"), base::Error);
+  CHECK_THROWS_WITH_AS(
+      weights::bind_tiles(model, cage, biharmonic, pool, weights::usual_tolerance, &progress),
+      doctest::Contains("GB of memory, of which"), base::Error);
   CHECK(progress.done() == 0);
 }

@@ -1,11 +1,11 @@
-#include "deform/surface_weights.h"
+#include "weights/surface_weights.h"
 
 #include <Eigen/Dense>
 
 #include "deform/bound.h"
-#include "deform/point_weights.h"
 #include "deform/vertex_sample.h"
 #include "mesh/drawing.h"
+#include "weights/point_weights.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -312,7 +312,7 @@ TEST_CASE("a_part_with_known_weights_moves_like_the_whole_model") {
   auto tiles = std::make_shared<const TiledBinding>(
       bind_tiles(draft.surface, *b.cage, biharmonics, pool, usual_tolerance, nullptr, {}, row));
   const auto part = std::make_shared<const Binding>(
-      deform::with_tiles(mesh::lent(draft.surface), *b.cage, std::move(tiles)));
+      weights::with_tiles(mesh::lent(draft.surface), *b.cage, std::move(tiles)));
   FusedFrame whole(
       b.cage,
       with_tiles(b, std::make_shared<const TiledBinding>(bind_tiles(b.model, *b.cage, biharmonics, pool, 0))),

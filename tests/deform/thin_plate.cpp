@@ -1,4 +1,4 @@
-#include "deform/thin_plate.h"
+#include "weights/thin_plate.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
-#include "deform/weigher.h"
+#include "weights/weigher.h"
 
 #include "deform/bound.h"
-#include "deform/point_weights.h"
+#include "weights/point_weights.h"
 
 using namespace viete::test;
 

@@ -20,7 +20,7 @@ struct Keyed {
   }
 };
 
-Timeline two_keys(const deform::Pose& from, const deform::Pose& to, Easing easing = Easing::constant_speed) {
+Timeline two_keys(const pose::Pose& from, const pose::Pose& to, Easing easing = Easing::constant_speed) {
   Timeline timeline;
   timeline.keys = {key(1, from, easing), key(11, to)};
   return timeline;
@@ -47,7 +47,7 @@ TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
 
 TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
   Keyed k;
-  deform::Pose sheared = turned_cube(0), turned;
+  pose::Pose sheared = turned_cube(0), turned;
   for (auto& p : sheared.positions) p[0] += 0.5 * p[1], p[1] += 0.25 * p[2];
   turned = sheared;
   turned.turns[0] = {0, 0, 2 * std::numbers::pi};
@@ -62,7 +62,7 @@ TEST_CASE("poses_that_say_nothing_of_whole_turns_have_those_nearest_to_the_key_b
   Keyed k;
   Timeline t;
   for (int i = 0; i <= 9; ++i) {
-    deform::Pose pose = turned_cube(60 * i);
+    pose::Pose pose = turned_cube(60 * i);
     pose.turns.clear();
     t.keys.push_back(key(1 + 10 * i, pose, Easing::constant_speed));
   }
@@ -168,7 +168,7 @@ TEST_CASE("shapes_move_beside_the_cage_and_are_taken_once") {
   CHECK(distance(a.at(6).cage.positions, turned_cube(90).positions) < 1e-12);
   CHECK(distance(*a.at(6).shape, *m.shape(30)) < 1e-12);
   base::WorkerPool pool;
-  deform::ShapeReport report;
+  shapes::ShapeReport report;
   const auto known = k.vectors.of(last.shape, nullptr, pool, report);
   CHECK(k.vectors.of(last.shape, nullptr, pool, report) == known);
   k.vectors.follow_model(std::make_shared<const mesh::Surface>(test::cube(1)));
@@ -178,7 +178,7 @@ TEST_CASE("shapes_move_beside_the_cage_and_are_taken_once") {
 }
 
 TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
-  const deform::ProbePose half{{0, 0, std::numbers::pi}, {2, 0, 0, 0, 0, 0}, {4, 0, 0}};
+  const pose::ProbePose half{{0, 0, std::numbers::pi}, {2, 0, 0, 0, 0, 0}, {4, 0, 0}};
   Timeline t;
   t.keys = {{1, test::whole({}, {}), Easing::constant_speed}, {11, test::whole({}, {half})}};
   VectorCache none;

@@ -36,7 +36,7 @@ TEST_CASE("a_stroke_paints_once_however_often_it_goes_over_a_vertex_and_is_one_e
   CHECK((*d.mask())[0] == 0);
   std::size_t partly = 0;
   for (std::size_t v = 0; v < at.size(); ++v) {
-    const double t = std::clamp(2 - 2 * deform::norm(at[v] - at[0]) / radius, 0.0, 1.0);
+    const double t = std::clamp(2 - 2 * mesh::norm(at[v] - at[0]) / radius, 0.0, 1.0);
     CHECK(std::abs(double((*d.mask())[v]) - (1 - t * t * (3 - 2 * t))) < 0.5 / mask_steps + 1e-6);
     partly += t > 0 && t < 1;
   }
@@ -98,7 +98,7 @@ TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {
   CHECK((*hit)[0] == doctest::Approx(c[0] + 0.01));
   CHECK_FALSE(pick_model(d, {}, {ray.origin, {0, 0, 1}}));
   // Moves the model by 5 along x. The ray must move by 5 too.
-  std::vector<deform::FrameVertex> posed;
+  std::vector<pose::FrameVertex> posed;
   for (const auto& x : d.model().surface->positions)
     posed.push_back({{float(x[0] + 5), float(x[1]), float(x[2])}, {}});
   CHECK_FALSE(pick_model(d, {posed, {0, 0, 0}}, ray));

@@ -258,15 +258,15 @@ TEST_CASE("whole_turns_of_the_pose_outlive_an_edit_of_the_cage") {
   begin_cage_editing(document);
   select(document, ElementKind::edge, {0});
   split_selected(document);
-  CHECK(real_pose(document).turns == std::vector<deform::Vec3>{{0, 6.2, 0}});
+  CHECK(real_pose(document).turns == std::vector<mesh::Vec3>{{0, 6.2, 0}});
   end_cage_editing(document);
-  CHECK(document.pose().turns == std::vector<deform::Vec3>{{0, 6.2, 0}});
+  CHECK(document.pose().turns == std::vector<mesh::Vec3>{{0, 6.2, 0}});
 }
 
 TEST_CASE("opening_a_pose_ends_cage_editing") {
   Document document = edited_cube();
   const auto cage = document.cage();
-  deform::Pose pose = deform::rest_pose(*cage);
+  pose::Pose pose = pose::rest_pose(*cage);
   pose.positions[0] = {-4, -4, -4};
   set_pose(document, pose);
   CHECK_FALSE(is_editing_cage(document));

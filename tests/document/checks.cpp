@@ -1,6 +1,6 @@
 #include "document/checks.h"
 
-#include "deform/cage_state.h"
+#include "pose/cage_state.h"
 #include "support/cube.h"
 #include "support/shapes.h"
 #include "support/text.h"
@@ -34,22 +34,22 @@ void check_only(const std::vector<Finding>& found, Defect defect, Subject subjec
   CHECK(!meaning(found[0]).empty());
 }
 
-deform::Cage cage_of(int cubes) {
+pose::Cage cage_of(int cubes) {
   mesh::Surface surface = test::cube(1);
   for (int i = 1; i < cubes; ++i) {
     mesh::Surface other = test::cube(1);
     for (auto& p : other.positions) p[0] += 5 * i;
     surface = test::both(surface, other);
   }
-  return deform::make_cage(surface);
+  return pose::make_cage(surface);
 }
 
 // Returns the messages about a pose: `map` is applied to the first `mapped` vertices.
-std::vector<std::string> notes(deform::Cage cage, std::size_t mapped, auto map) {
-  deform::Pose pose = deform::rest_pose(cage);
+std::vector<std::string> notes(pose::Cage cage, std::size_t mapped, auto map) {
+  pose::Pose pose = pose::rest_pose(cage);
   for (std::size_t v = 0; v < mapped; ++v) map(pose.positions[v]);
-  deform::CageState state(std::make_shared<const deform::Cage>(std::move(cage)), deform::Elements::face,
-                          deform::Blend::srl);
+  pose::CageState state(std::make_shared<const pose::Cage>(std::move(cage)), pose::Elements::face,
+                        pose::Blend::srl);
   state.set_pose(pose);
   return pose_notes(state.report(), state.cage(), pose);
 }

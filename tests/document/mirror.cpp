@@ -27,13 +27,13 @@ TEST_CASE("the_plane_of_a_turned_or_moved_cage_pairs_all_of_it") {
     p[1] *= 2, p[2] *= 3;
     p = {0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]};
   }
-  const auto mirror = mirror_of(deform::make_cage(surface), MirrorPlane::fit);
+  const auto mirror = mirror_of(pose::make_cage(surface), MirrorPlane::fit);
   REQUIRE(mirror);
   CHECK(mirror->unpaired() == 0);
   for (std::uint32_t v = 0; v < 8; ++v) CHECK(mirror->partners[mirror->partners[v]] == v);
   surface = test::cube(1);
   for (auto& p : surface.positions) p[0] += 7;
-  const auto across_x = mirror_of(deform::make_cage(surface), MirrorPlane::x);
+  const auto across_x = mirror_of(pose::make_cage(surface), MirrorPlane::x);
   REQUIRE(across_x);
   CHECK(across_x->plane.offset == doctest::Approx(7));
   CHECK(across_x->unpaired() == 0);
@@ -41,7 +41,7 @@ TEST_CASE("the_plane_of_a_turned_or_moved_cage_pairs_all_of_it") {
 
 TEST_CASE("a_vertex_without_an_image_has_no_partner_and_one_on_the_plane_is_its_own") {
   // A roof with its ridge on the mirror plane, and an unpaired vertex on the right.
-  const deform::Cage cage = deform::make_cage(
+  const pose::Cage cage = pose::make_cage(
       mesh::from_triangles({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {3, 0, 1}},
                            {{0, 2, 3}, {2, 5, 3}, {1, 4, 2}, {4, 5, 2}, {1, 6, 4}}));
   const auto mirror = mirror_of(cage, MirrorPlane::x);

@@ -24,7 +24,7 @@ struct Mixed {
   const std::vector<mesh::Point>& positions() const { return document.pose().positions; }
   bool weigh(std::size_t pose, double weight) { return set_weight(document, vectors, pose, weight); }
   // Sets the pose as a drag does.
-  void put(const deform::Pose& pose, const char* label = "move by hand") {
+  void put(const pose::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
     document.changed_pose() = pose;
   }
@@ -34,7 +34,7 @@ struct Mixed {
     return all;
   }
   void check_undone(const Document& start) {
-    const deform::Pose pose = document.pose();
+    const pose::Pose pose = document.pose();
     const PoseLibrary library = document.library();
     std::size_t steps = 0;
     for (; document.history().can_undo(); ++steps) undo(document);
@@ -164,7 +164,7 @@ TEST_CASE("a_mix_that_cannot_be_drawn_changes_nothing") {
   Mixed m;
   m.poses()[1].pose = whole(stretched_cube(1e20));
   CHECK(m.weigh(1, 1));
-  const deform::Pose before = m.document.pose();
+  const pose::Pose before = m.document.pose();
   CHECK_FALSE(m.weigh(1, 3));
   CHECK_FALSE(m.weigh(1, std::numeric_limits<double>::quiet_NaN()));
   CHECK(m.document.pose().positions == before.positions);
@@ -304,16 +304,16 @@ TEST_CASE("removing_a_mixed_pose_removes_its_motion") {
 TEST_CASE("probes_are_mixed_by_their_logs_and_locked_ones_stay") {
   Mixed m;
   m.document.changed_probes().all.resize(2);
-  const deform::ProbePose pose{{0, 0, 2}, {1, 0, 0, 0, 0, 0}, {3, 0, 0}};
+  const pose::ProbePose pose{{0, 0, 2}, {1, 0, 0, 0, 0, 0}, {3, 0, 0}};
   m.poses()[0].pose = whole(turned_cube(90), {pose, pose});
   m.document.changed_probes().all[1].locked = true;
   m.document.changed_probes().all[1].pose.move = {7, 7, 7};
   m.weigh(0, 0.5);
-  CHECK(m.document.probes().all[0].pose == deform::ProbePose{{0, 0, 1}, {0.5, 0, 0, 0, 0, 0}, {1.5, 0, 0}});
-  CHECK(m.document.probes().all[1].pose == deform::ProbePose{.move = {7, 7, 7}});
+  CHECK(m.document.probes().all[0].pose == pose::ProbePose{{0, 0, 1}, {0.5, 0, 0, 0, 0, 0}, {1.5, 0, 0}});
+  CHECK(m.document.probes().all[1].pose == pose::ProbePose{.move = {7, 7, 7}});
   m.put(turned_cube(50));
   m.weigh(0, 0.25);
-  CHECK(m.document.probes().all[1].pose == deform::ProbePose{.move = {7, 7, 7}});
+  CHECK(m.document.probes().all[1].pose == pose::ProbePose{.move = {7, 7, 7}});
   m.weigh(0, 0);
   CHECK(mesh::norm(m.document.probes().all[0].pose.turn) < 1e-15);
   apply_pose(m.document, 0);
@@ -335,7 +335,7 @@ TEST_CASE("poses_of_probes_alone_are_mixed_without_a_cage") {
 TEST_CASE("a_removed_probe_is_gone_from_every_pose_and_key_and_comes_back_with_undo") {
   Mixed m;
   m.document.changed_probes().all.resize(3);
-  std::vector<deform::ProbePose> poses(3);
+  std::vector<pose::ProbePose> poses(3);
   for (int i = 0; i < 3; ++i) poses[i].move = {double(i), 0, 0};
   m.poses()[0].pose = whole(turned_cube(90), poses);
   m.document.changed_timeline().keys = m.document.changed_timeline().unkeyed = {{1, m.poses()[0].pose}};

@@ -47,11 +47,11 @@ TEST_CASE("a_probe_is_added_where_the_model_is_drawn_and_selected") {
   CHECK(p.document().selection().contains(0));
   CHECK(test::edit_count(p.document().history()) == 1);
   // The model is posed. The probe is added at the corresponding point at rest.
-  std::vector<deform::FrameVertex> posed;
+  std::vector<pose::FrameVertex> posed;
   for (const auto& x : p.document().model().surface->positions)
     posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, {}});
   REQUIRE(add_probe(p.document(), {posed, {0, 0, 0}}, at + mesh::Point{7, 0, 0}));
-  CHECK(deform::norm(p.probe(1).place - at) < 1e-6);
+  CHECK(mesh::norm(p.probe(1).place - at) < 1e-6);
   undo(p.document());
   undo(p.document());
   CHECK(p.document().probes().empty());
@@ -76,15 +76,15 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 0, 0));
   REQUIRE(
       transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 0, 0})));
-  CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0, 1, 0}) < 1e-15);
-  CHECK(deform::norm(p.probe().pose.turn - mesh::Point{0, 0, std::acos(-1.0) / 2}) < 1e-15);
+  CHECK(mesh::norm(probe_center(p.document(), 0) - mesh::Point{0, 1, 0}) < 1e-15);
+  CHECK(mesh::norm(p.probe().pose.turn - mesh::Point{0, 0, std::acos(-1.0) / 2}) < 1e-15);
   CHECK(p.probe().place == mesh::Point{1, 0, 0});
   REQUIRE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()),
                               {.factors = {2, 1, 1}, .shift = {0.5, 0, 0}}));
   const auto m = linear_part(p.probe().pose);
   CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));
   CHECK(m[3] == doctest::Approx(1).epsilon(1e-12));
-  CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0.5, 1, 0}) < 1e-15);
+  CHECK(mesh::norm(probe_center(p.document(), 0) - mesh::Point{0.5, 1, 0}) < 1e-15);
   CHECK(p.document().history().undo_label() == "move 2 probes");
   undo(p.document());
   undo(p.document());
@@ -96,7 +96,7 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
   REQUIRE(
       transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 5, 0})));
-  CHECK(deform::norm(p.probe().pose.move - mesh::Point{-1, 1, 0}) < 1e-14);
+  CHECK(mesh::norm(p.probe().pose.move - mesh::Point{-1, 1, 0}) < 1e-14);
 }
 
 TEST_CASE("whole_turns_of_a_probe_count_and_what_leaves_its_range_moves_nothing") {
@@ -146,7 +146,7 @@ TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
   p.probe().pose.turn = {0.1, 0.2, 0.3};
   CHECK(test::run_command(p.w, "mirror_probe"));
   REQUIRE(p.document().probes().all.size() == 2);
-  CHECK(deform::norm(p.probe(1).place - mesh::Point{-0.7, 0.2, 0.1}) < 1e-15);
+  CHECK(mesh::norm(p.probe(1).place - mesh::Point{-0.7, 0.2, 0.1}) < 1e-15);
   CHECK(p.probe(1).pose.turn == mesh::Point{0.1, -0.2, -0.3});
   CHECK(p.document().selection().indices() == std::vector<std::uint32_t>{1});
 }
@@ -189,11 +189,11 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   CHECK(test::edit_count(p.document().history()) == edits + 4);
   CHECK(p.probe(0).turn == Influence{Falloff::sharp, 0.3});
   CHECK(p.probe(1).turn == Influence{Falloff::sharp, 0.5});
-  set_mix(p.document(), deform::ProbeMix::softmax);
-  set_mix(p.document(), deform::ProbeMix::softmax);
+  set_mix(p.document(), pose::ProbeMix::softmax);
+  set_mix(p.document(), pose::ProbeMix::softmax);
   CHECK(test::edit_count(p.document().history()) == edits + 5);
   undo(p.document());
-  CHECK(p.document().probes().mix == deform::ProbeMix::added);
+  CHECK(p.document().probes().mix == pose::ProbeMix::added);
   for (int i = 0; i < 3; ++i) undo(p.document());
   CHECK(p.probe(0).turn.radius == 0.3);
   CHECK(p.probe(1).turn.radius == 0.3);

@@ -33,20 +33,20 @@ Selection some(ElementKind kind, const Numbers& indices) {
 constexpr ElementKind kinds_of_cages[] = {ElementKind::vertex, ElementKind::edge, ElementKind::face};
 
 // Returns a cage of two separate quads. One vertex is unused.
-deform::Cage two_quads() {
+pose::Cage two_quads() {
   mesh::Surface surface;
   for (int i = 0; i < 9; ++i)
     surface.positions.push_back({double(i % 4 % 3), double(i % 4 / 2), double(i / 4)});
   surface.corners = {0, 1, 3, 2, 4, 5, 7, 6};
   surface.polygon_starts = {0, 4, 8};
   mesh::triangulate(surface);
-  return deform::make_cage(surface);
+  return pose::make_cage(surface);
 }
 
 }  // namespace
 
 TEST_CASE("growing_adds_what_is_next_to_it_and_shrinking_takes_it_away_again") {
-  const auto cage = deform::make_cage(plane_of_quads(6));
+  const auto cage = pose::make_cage(plane_of_quads(6));
   CHECK(grown(cage, some(ElementKind::vertex, {24})).indices() == Numbers{17, 23, 24, 25, 31});
   CHECK(grown(cage, some(ElementKind::face, {14})).indices() == Numbers{7, 8, 9, 13, 14, 15, 19, 20, 21});
   CHECK(shrunk(cage, some(ElementKind::vertex, {17, 23, 24, 25, 31})).indices() == Numbers{24});
@@ -62,7 +62,7 @@ TEST_CASE("growing_adds_what_is_next_to_it_and_shrinking_takes_it_away_again") {
 }
 
 TEST_CASE("without_a_cage_and_for_probes_there_are_no_elements") {
-  const deform::Cage none;
+  const pose::Cage none;
   const auto probes = some(ElementKind::probe, {0, 2});
   CHECK(grown(none, probes) == probes);
   CHECK(shrunk(none, probes) == probes);
@@ -70,7 +70,7 @@ TEST_CASE("without_a_cage_and_for_probes_there_are_no_elements") {
 }
 
 TEST_CASE("elements_of_polygons_are_counted_converted_and_linked") {
-  const deform::Cage cage = two_quads();
+  const pose::Cage cage = two_quads();
   CHECK(element_count(cage, ElementKind::vertex) == 9);
   CHECK(element_count(cage, ElementKind::edge) == 8);
   CHECK(element_count(cage, ElementKind::face) == 2);

@@ -15,7 +15,7 @@ using Points = std::vector<mesh::Point>;
 struct Shapes {
   mesh::Surface rest;
   base::WorkerPool pool;
-  deform::ShapeSpace space;
+  shapes::ShapeSpace space;
 
   explicit Shapes(mesh::Surface surface = test::CubeFiles::subdivided_cube())
       : rest(std::move(surface)), pool(1), space(rest, pool) {}
@@ -89,6 +89,6 @@ TEST_CASE("notes_about_shapes_are_shown_once") {
   notes.clear();
   s.mixed({{flat, 0.5}}, true, &notes);
   CHECK(notes.empty());
-  const deform::ShapeReport reports[] = {{0, 0, 3}, {0, 0, 0}, {0, 0, 1200}};
+  const shapes::ShapeReport reports[] = {{0, 0, 3}, {0, 0, 0}, {0, 0, 1200}};
   CHECK(mentions(shape_notes(reports).at(0), "up to 1,200 in each of 2 shapes"));
 }

@@ -120,16 +120,16 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
   test::AnimatedCube cube;
   formats::write(cube / "fine.obj", test::ball(1));  // the error is measured only at some of these vertices
   cube.document.put_model(open_document(cube / "fine.obj", cube.cage).model());
-  const deform::Cage& cage = *cube.document.cage();
-  const auto rest = test::whole(deform::rest_pose(cage)),
+  const pose::Cage& cage = *cube.document.cage();
+  const auto rest = test::whole(pose::rest_pose(cage)),
              bent = test::whole(test::turned_cage(cage, 90, 20, 2));
   // The export tests the error of float only at the first, middle and last frame. There, the cage rests.
   cube.document.changed_timeline().keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
   base::WorkerPool pool(2);
   std::size_t in_float = 0;
-  for (const auto way : base::all_values<deform::Way>()) {
+  for (const auto way : base::all_values<pose::Way>()) {
     CAPTURE(base::entry_of(way).word);
-    cube.document.put_scheme(deform::scheme_of(way));
+    cube.document.put_scheme(pose::scheme_of(way));
     const AnimationExport what = animation_export_of(cube.document, cube / "a.pc2");
     const std::string summary = write_animation(what).summary;
     const double stated = stated_error(summary) * cage.diagonal;
@@ -186,9 +186,9 @@ TEST_CASE("far_animations_keep_their_positions_or_state_the_rounding") {
   formats::write(folder / "model.obj", test::far_away(test::cube(1)));
   formats::write(folder / "cage.obj", test::far_away(test::cube(2)));
   Document document = open_document(folder / "model.obj", folder / "cage.obj");
-  deform::Pose bent = deform::rest_pose(*document.cage());
+  pose::Pose bent = pose::rest_pose(*document.cage());
   for (const int v : {1, 2, 3}) bent.positions[v] = bent.positions[v] + mesh::Point{0.3, 0.7, 1};
-  document.changed_timeline().keys = {{1, test::whole(deform::rest_pose(*document.cage()))},
+  document.changed_timeline().keys = {{1, test::whole(pose::rest_pose(*document.cage()))},
                                       {9, test::whole(bent)}};
   document.changed_timeline().last = 9;
   for (const char* name : {"a.pc2", "a.mdd"}) {
@@ -244,10 +244,10 @@ TEST_CASE("keys_that_hold_jump_and_targets_come_at_every_so_many_frames") {
 TEST_CASE("probes_without_a_cage_move_the_model_in_time") {
   const test::AnimatedCube cube;
   Document document = open_document(cube.model, "");
-  deform::Probe probe;
+  pose::Probe probe;
   probe.place = {1, 1, 1};
   probe.move = {Falloff::smooth, 1.5};
-  deform::Probe locked = probe;
+  pose::Probe locked = probe;
   locked.place = {-1, -1, -1};
   locked.locked = true;
   locked.pose.move = {0, 0, 0.25};

@@ -1,8 +1,8 @@
 #include "files/animation_import.h"
 
-#include "deform/pose_io.h"
 #include "files/animation_export.h"
 #include "formats/morph_keys.h"
+#include "pose/pose_io.h"
 #include "support/animated_cube.h"
 #include "support/gltf.h"
 #include "support/text.h"
@@ -29,7 +29,7 @@ struct CageMotion : test::AnimatedCube {
   }
   void write_poses() const {
     for (const int frame : {1, 9, 17})
-      deform::write_pose(*this / ("p_" + std::to_string(frame) + ".obj"), *document.cage(), pose(frame).cage);
+      pose::write_pose(*this / ("p_" + std::to_string(frame) + ".obj"), *document.cage(), pose(frame).cage);
   }
   std::vector<PoseKey> keys(const fs::path& file) const {
     return read_keys(file, *document.cage(), {document.timeline().first, document.timeline().rate}).keys;
@@ -39,7 +39,7 @@ struct CageMotion : test::AnimatedCube {
   }
 };
 
-double farthest(const deform::Pose& a, const deform::Pose& b) {
+double farthest(const pose::Pose& a, const pose::Pose& b) {
   return test::largest_distance(a.positions, b.positions);
 }
 
@@ -151,8 +151,8 @@ TEST_CASE("a_folder_of_posed_cages_is_poses_in_the_order_of_their_numbers") {
   const CageMotion m;
   fs::create_directory(m / "poses");
   for (const int n : {10, 2, 1})
-    deform::write_pose(m / "poses" / ("p_" + std::to_string(n) + ".obj"), *m.document.cage(),
-                       test::turned_cage(*m.document.cage(), 10 * n));
+    pose::write_pose(m / "poses" / ("p_" + std::to_string(n) + ".obj"), *m.document.cage(),
+                     test::turned_cage(*m.document.cage(), 10 * n));
   fs::copy(m.model, m / "poses" / "no_pose.obj");
   test::put_file(m / "poses" / "notes.txt", "x");
   fs::path folder = m / "poses";

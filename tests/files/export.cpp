@@ -70,7 +70,7 @@ TEST_CASE("an_export_is_a_snapshot_at_the_request") {
   write_deformed(export_of(document, files / "at_once.ply"));
   document.changed_pose().positions[0][0] -= 3;
   document.put_method(sym3::Method::diag);
-  document.put_scheme(deform::scheme_of(deform::Way::mean_value));
+  document.put_scheme(pose::scheme_of(pose::Way::mean_value));
   write_deformed(before);
   CHECK(test::file_bytes(files / "before.ply") == test::file_bytes(files / "at_once.ply"));
 }

@@ -221,10 +221,10 @@ TEST_CASE(
   CHECK(other_method.document.method() == sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(other_method));
 
-  asked.choice.blend = deform::Blend::linear;
+  asked.choice.blend = pose::Blend::linear;
   Workspace other_blend;
   REQUIRE(test::open_now(other_blend, {What::model, {files / "a.viete"}, asked}));
-  CHECK(other_blend.document.scheme().blend == deform::Blend::linear);
+  CHECK(other_blend.document.scheme().blend == pose::Blend::linear);
   CHECK(other_blend.document.scheme().weighting.radius == 0.3);
   CHECK(has_unsaved_edits(other_blend));
 
@@ -234,7 +234,7 @@ TEST_CASE(
   REQUIRE(test::open_now(stitched, {What::model, {files / "a.viete"}, asked}));
   CHECK(stitched.document.scheme().iterations == 2);
   CHECK(has_unsaved_edits(stitched));
-  asked.choice.weights = deform::Weights::mean_value;
+  asked.choice.weights = pose::Weights::mean_value;
   Workspace refused;
   CHECK_FALSE(test::open_now(refused, {What::model, {files / "a.viete"}, asked}));
   CHECK_FALSE(refused.document.model().surface);
@@ -243,23 +243,23 @@ TEST_CASE(
 TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
   Document document;
   put_settings(document, {{.rotation = 0.5, .stretch = 2}});
-  CHECK(document.scheme().amounts == deform::Amounts{0.5, 2});
+  CHECK(document.scheme().amounts == pose::Amounts{0.5, 2});
   put_settings(document, {{.stretch = 0}});
-  CHECK(document.scheme().amounts == deform::Amounts{0.5, 0});
+  CHECK(document.scheme().amounts == pose::Amounts{0.5, 0});
   try {
-    put_settings(document, {{.choice = {.weights = deform::Weights::mean_value}, .rotation = 1}});
+    put_settings(document, {{.choice = {.weights = pose::Weights::mean_value}, .rotation = 1}});
     FAIL("points took a rotation");
   } catch (const base::Error& error) {
     CHECK(error.place() == "rotation");
   }
-  CHECK(document.scheme().amounts == deform::Amounts{0.5, 0});
+  CHECK(document.scheme().amounts == pose::Amounts{0.5, 0});
 }
 
 TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_for") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   w.document.put_method(sym3::Method::sd);
-  set_scheme(w.document, deform::scheme_of(deform::Way::local));
+  set_scheme(w.document, pose::scheme_of(pose::Way::local));
   set_radius(w.document, 0.3);
   REQUIRE(test::open_now(w, {What::model, {files.model, files.cage}}));
   CHECK(w.document.method() == sym3::Method::sd);
@@ -277,9 +277,9 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   const auto opened = [&](const RequestedSettings& asked, const fs::path& model) {
     return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme();
   };
-  CHECK(opened({}, files.model) == deform::default_scheme());
+  CHECK(opened({}, files.model) == pose::default_scheme());
   CHECK(text(opened({{.radius = 0.2}}, files.model)) == "cutoff, srl");
-  CHECK_THROWS_AS(opened({{.choice = {.weights = deform::Weights::mean_value}, .radius = 0.3}}, files.model),
+  CHECK_THROWS_AS(opened({{.choice = {.weights = pose::Weights::mean_value}, .radius = 0.3}}, files.model),
                   base::Error);
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
@@ -359,7 +359,7 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
          {std::vector{files.model, files / "fin.obj"}, {files / "fin.obj"}}) {
       const What what = paths.size() == 2 ? What::model : What::cage;
       const Document current = open_document(files.model, {});
-      CHECK_THROWS_AS(open_files({what, paths}, current), deform::FinError);
+      CHECK_THROWS_AS(open_files({what, paths}, current), pose::FinError);
       const Opened opened = open_files({what, paths, {}, {}, true}, current);
       CHECK(opened.document->cage()->surface.positions == plain.positions);
       CHECK(opened.document->cage()->surface.triangles == plain.triangles);

@@ -31,7 +31,7 @@ TEST_CASE("only_the_work_of_programs_that_have_ended_is_left_over") {
 TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  deform::Pose moved = w.document.pose();
+  pose::Pose moved = w.document.pose();
   moved.positions[0][0] += 0.25;
   set_pose(w.document, moved);
   const fs::path folder = files / "recovery";
@@ -61,7 +61,7 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
   fs::create_directories(folder);
   Workspace w = test::opened({files.model, files.cage});
   const auto move = [&] {
-    deform::Pose pose = w.document.pose();
+    pose::Pose pose = w.document.pose();
     pose.positions[0][0] += 0.25;
     set_pose(w.document, pose);
   };

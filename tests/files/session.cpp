@@ -36,13 +36,13 @@ Workspace worked(const test::CubeFiles& files) {
   probe.pose = {{0.1, 0, 1.0 / 3}, {0, 0.5, 0, 0, 0, -1}, {1e-17, 2, 3}};
   probe.turn = {Falloff::sharp, 0.123};
   probe.locked = true;
-  w.document.changed_probes().mix = deform::ProbeMix::softmax;
+  w.document.changed_probes().mix = pose::ProbeMix::softmax;
   w.document.changed_pose().positions[3] = {0.1, -1.0 / 3, 1e-17};
   w.document.changed_pose().turns = {{0.1, 6.3, -1e-9}};
   w.document.changed_selection() = Selection(ElementKind::vertex, std::vector<std::uint32_t>{2, 5});
   w.document.changed_groups() = {{0, 7}, {{"left \"arm\"\n", ElementKind::face, {0, 1, 2}}}};
   w.document.put_method(sym3::Method::sd);
-  deform::Scheme scheme = deform::scheme_of(deform::Way::mean_value);
+  pose::Scheme scheme = pose::scheme_of(pose::Way::mean_value);
   scheme.weighting.radius = 0.27;
   scheme.amounts = {0.29, 1.75};
   scheme.holding = {0.29, 0.07};
@@ -67,10 +67,9 @@ Workspace worked(const test::CubeFiles& files) {
                      MirrorPlane::y,
                      {true, 0.29, SoftCurve::linear, SoftDistance::space},
                      0.25};
-  put_ways(w.view.split,
-           {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, analysis::Field::area, true},
-             {deform::scheme_of(deform::Way::arap)}},
-            {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
+  put_ways(w.view.split, {{{pose::scheme_of(pose::Way::rigid), sym3::Method::sd, analysis::Field::area, true},
+                           {pose::scheme_of(pose::Way::arap)}},
+                          {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
   return w;
 }
 
@@ -78,7 +77,7 @@ Workspace worked(const test::CubeFiles& files) {
 Workspace animated(const test::CubeFiles& files) {
   Workspace w = worked(files);
   w.document.changed_selection() = Selection(ElementKind::vertex);
-  const deform::ProbePose motion = w.document.probes().all[0].pose;
+  const pose::ProbePose motion = w.document.probes().all[0].pose;
   test::add_two_poses(w.document);
   w.document.changed_library().poses[0].name = "n\xC3\xA4mlich \"so\"\n";
   w.document.changed_library().poses.push_back({"with probe", shared_pose(w.document)});
@@ -398,19 +397,19 @@ TEST_CASE("all_typed_values_and_views_survive_saving") {
 TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  const auto check_kept = [&](const deform::Scheme& scheme) {
+  const auto check_kept = [&](const pose::Scheme& scheme) {
     CAPTURE(text(scheme));
     w.document.put_scheme(scheme);
     test::put_file(files / "a.viete", session_text(session_of(w), files / "a.viete"));
     CHECK(read_session(files / "a.viete").scheme == scheme);
   };
-  for (deform::Scheme scheme : deform::valid_schemes()) {
+  for (pose::Scheme scheme : pose::valid_schemes()) {
     scheme.weighting.radius = 0.29;  // the radius is kept even if the weights do not use it
     check_kept(scheme);
   }
   CHECK(read_json(files / "a.viete")["radius"] == 29);
-  deform::Scheme stitched = deform::default_scheme();
-  for (const int iterations : {0, 1, deform::most_iterations}) {
+  pose::Scheme stitched = pose::default_scheme();
+  for (const int iterations : {0, 1, pose::most_iterations}) {
     stitched.iterations = iterations, stitched.holding = {0.29, 0.07};
     check_kept(stitched);
   }

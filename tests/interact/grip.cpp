@@ -46,7 +46,7 @@ Transform quarter_about(const Grip& grip, int axis) {
 }
 
 // Returns a strip of quads along x. The strip is folded in the middle, so that its ends are near each other.
-deform::Cage hairpin() {
+pose::Cage hairpin() {
   std::vector<mesh::Point> points;
   std::vector<mesh::Triangle> triangles;
   for (int i = 0; i < 8; ++i) {
@@ -58,7 +58,7 @@ deform::Cage hairpin() {
     triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
     triangles.push_back({2 * i + 2, 2 * i + 3, 2 * i + 1});
   }
-  return deform::make_cage(mesh::from_triangles(points, triangles));
+  return pose::make_cage(mesh::from_triangles(points, triangles));
 }
 
 double share_of(const std::vector<Gripped>& all, std::uint32_t v) {
@@ -211,7 +211,7 @@ TEST_CASE("shares_are_1_at_the_selection_0_at_the_radius_and_fall_between") {
 }
 
 TEST_CASE("over_edges_the_other_end_of_a_hairpin_is_far_and_through_space_it_is_near") {
-  const deform::Cage cage = hairpin();
+  const pose::Cage cage = hairpin();
   const std::array<std::uint32_t, 2> end{0, 1};
   SoftSelection soft{.on = true, .curve = SoftCurve::linear};
   const auto over = softened(cage, cage.surface.positions, end, soft, 2);

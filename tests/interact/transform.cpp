@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "deform/cage_state.h"
 #include "interact/placing.h"
+#include "pose/cage_state.h"
 #include "support/cube.h"
 #include "support/edits.h"
 #include "support/grips.h"
@@ -92,8 +92,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       document.changed_pose().positions[3][2] += 0.7;
       const auto posed = document.pose().positions;
       const auto shown = [&] {  // updates the turns, as drawing does
-        deform::CageState state(document.cage(), document.scheme().weighting.elements,
-                                document.scheme().blend);
+        pose::CageState state(document.cage(), document.scheme().weighting.elements, document.scheme().blend);
         state.set_pose(document.pose());
         document.changed_pose().turns = state.report().turns;
         return document.pose().turns[0];
@@ -126,7 +125,7 @@ TEST_CASE("a_posed_cage_that_has_turned_keeps_its_turn_while_it_is_posed_on") {
   for (int i = 0; i < 40; ++i) {
     document.changed_pose().positions[6][0] += 0.02;
     document.changed_pose().positions[1][2] -= 0.02;
-    deform::CageState state(document.cage(), document.scheme().weighting.elements, document.scheme().blend);
+    pose::CageState state(document.cage(), document.scheme().weighting.elements, document.scheme().blend);
     state.set_pose(document.pose());
     document.changed_pose().turns = state.report().turns;
   }
@@ -180,7 +179,7 @@ TEST_CASE("turns_add_up_to_what_a_session_can_hold_and_no_further") {
   CHECK(times > 100);
   CHECK(times < 1000);
   const auto turns = document.pose().turns;
-  CHECK(std::hypot(turns[0][0], turns[0][1], turns[0][2]) <= deform::largest_turn);
+  CHECK(std::hypot(turns[0][0], turns[0][1], turns[0][2]) <= pose::largest_turn);
   CHECK_FALSE(transform_selection(document, Tool::rotate, test::plain_grip(document), turn(most_degrees)));
   CHECK(document.pose().turns == turns);
   CHECK(transform_selection(document, Tool::rotate, test::plain_grip(document), turn(-most_degrees)));

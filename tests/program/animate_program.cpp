@@ -38,7 +38,7 @@ std::set<std::string> names_of(const fs::path& folder, const std::string& end) {
 struct AnimatedDragon : TemporaryFolder {
   AnimatedDragon() {
     fs::copy(cage, *this / "k_01.obj");
-    fs::copy(pose, *this / "k_41.obj");
+    fs::copy(alert_pose, *this / "k_41.obj");
   }
   std::string line(const std::string& rest) const {
     return "animate " + quoted(dragon) + " " + quoted(cage) + " --keys k_##.obj " + rest;

@@ -1,11 +1,11 @@
 // Binding in the background: the program reacts during binding, and a cancelled binding changes nothing.
-#include "deform/binding.h"
 #include "formats/write.h"
 #include "program/driver.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
 #include "support/shapes.h"
+#include "weights/binding.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -66,7 +66,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   CHECK(moved != before);
   d.press_key(workspace::Key::escape);
   CHECK_FALSE(d.workspace().jobs.binding.running);
-  CHECK(d.document().scheme().weighting.weights == deform::Weights::inverse);
+  CHECK(d.document().scheme().weighting.weights == pose::Weights::inverse);
   CHECK(d.positions() == moved);
   test::run_command(d.workspace(), "weights_mean_value");
   d.settle();

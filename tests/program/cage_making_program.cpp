@@ -39,7 +39,7 @@ struct Maker : Driver {
     REQUIRE(document().has_cage());
   }
   // Starts to make a cage. Returns the preview.
-  std::shared_ptr<const deform::Cage> preview() {
+  std::shared_ptr<const pose::Cage> preview() {
     click("make_cage");
     REQUIRE(until([&] { return document().has_cage(); }));
     return document().cage();

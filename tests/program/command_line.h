@@ -69,9 +69,9 @@ inline bool mentions(const Outcome& outcome, const std::string& text) {
   return test::mentions(outcome.text, text);
 }
 
-const fs::path cage = dragon_cage, pose = assets_dir() / "dragon" / "pose_alert.obj";
+const fs::path cage = dragon_cage, alert_pose = assets_dir() / "dragon" / "pose_alert.obj";
 const std::string in_cage = quoted(dragon) + " " + quoted(cage),
-                  posed = "deform " + in_cage + " --pose " + quoted(pose);
+                  posed = "deform " + in_cage + " --pose " + quoted(alert_pose);
 
 /// A folder for running the program.
 struct WorkFolder : TemporaryFolder {

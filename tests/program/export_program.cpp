@@ -102,7 +102,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   LargeModel d(folder.path(), 4);
   d.workspace().document.put_frame(1);
   document::set_key(d.document(), 1);
-  deform::Pose pose = d.document().pose();
+  pose::Pose pose = d.document().pose();
   for (auto& p : pose.positions) p[1] *= 1.3;
   document::set_pose(d.document(), pose);
   document::set_key(d.document(), 3);

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "deform/scheme.h"
 #include "document/pose_edit.h"
 #include "interact/shaping.h"
+#include "pose/scheme.h"
 #include "program/driver.h"
 #include "support/edits.h"
 #include "support/folder.h"
@@ -113,7 +113,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
   CHECK_FALSE(advises());  // the cage is at rest
   d.document().changed_pose().positions[0][0] += 1;
   CHECK(advises());
-  d.document().put_scheme(deform::scheme_of(deform::Way::mean_value));
+  d.document().put_scheme(pose::scheme_of(pose::Way::mean_value));
   CHECK_FALSE(advises());
 }
 
@@ -382,7 +382,7 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   const auto painted = d.document().mask();
   REQUIRE(painted);
   CHECK(std::ranges::count(*painted, 0.0f) > 20);
-  deform::Pose pose = d.document().pose();
+  pose::Pose pose = d.document().pose();
   for (auto& p : pose.positions) p[1] += 1;
   document::set_pose(d.document(), pose);
   d.settle();

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <set>
 
-#include "deform/pose_io.h"
-#include "deform/scheme.h"
 #include "document/edit.h"
 #include "document/pose_edit.h"
 #include "document/probes.h"
 #include "formats/write.h"
+#include "pose/pose_io.h"
+#include "pose/scheme.h"
 #include "program/small_scene.h"
 #include "support/folder.h"
 #include "support/pictures.h"
@@ -133,7 +133,7 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
 TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   Driver d;
   d.open_dragon("pose_alert");
-  d.document().put_scheme(deform::scheme_of(deform::Way::smooth));
+  d.document().put_scheme(pose::scheme_of(pose::Way::smooth));
   d.settle();
   d.click("section/Views");
   d.click("views_4");
@@ -143,7 +143,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   std::set<std::string_view> ways;
   for (const auto& side : split.sides()) {
     CHECK(side.problem.empty());
-    const auto way = deform::way_of(side.scheme);
+    const auto way = pose::way_of(side.scheme);
     REQUIRE(way);
     ways.insert(base::entry_of(*way).word);
   }
@@ -152,7 +152,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.choose("side/2/way", "side/2/way_paper");
   d.choose("side/2/method", "side/2/method_SD");
   d.settle();
-  CHECK(deform::way_of(split.sides()[0].scheme) == deform::Way::rigid);
+  CHECK(pose::way_of(split.sides()[0].scheme) == pose::Way::rigid);
   CHECK(split.sides()[1].method == sym3::Method::sd);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
   workspace::enter_view(d.workspace(), 0);
@@ -277,7 +277,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.open_dragon();
   std::vector<std::string> warnings;
   const auto coil =
-      deform::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage(), warnings);
+      pose::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage(), warnings);
   document::add_poses(
       d.document(),
       {{"coil", std::make_shared<const document::WholePose>(document::WholePose{coil, {}, {}})}});
@@ -317,7 +317,7 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   formats::write(folder / "loose.ply", loose);
   REQUIRE(d.open({folder / "loose.ply"}));
   document::add_pin(document, d.workspace().frame.posed, {0, 0, 0});
-  document.changed_probes().all[0].pin = deform::Pin{static_cast<std::uint32_t>(loose.positions.size() - 1)};
+  document.changed_probes().all[0].pin = pose::Pin{static_cast<std::uint32_t>(loose.positions.size() - 1)};
   d.settle();
   CHECK_FALSE(d.workspace().view.split.views[0].shown.problem.empty());
   CHECK(d.workspace().view.split.views[0].shown.values == nullptr);

@@ -113,7 +113,7 @@ void visit_panels(Driver& d) {
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.frame(2);
   REQUIRE(d.viewer().recorder().find("finding/0"));
-  deform::Pose pose = d.document().pose();
+  pose::Pose pose = d.document().pose();
   for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
   document::set_pose(d.document(), pose);
   check(d, "all sections");

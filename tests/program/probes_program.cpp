@@ -90,7 +90,7 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   CHECK(d.probe().move.radius != radius);
   CHECK(d.probe().turn.radius == radius);
   d.choose("probe_mix", "probe_mix_softmax");
-  CHECK(d.document().probes().mix == deform::ProbeMix::softmax);
+  CHECK(d.document().probes().mix == pose::ProbeMix::softmax);
   d.click("toggle_locked");
   CHECK(d.probe().locked);
   d.click("toggle_locked");
@@ -119,7 +119,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
     return d.picture();
   };
   const auto rest = picture();
-  deform::Pose pose = d.document().pose();
+  pose::Pose pose = d.document().pose();
   for (auto& p : pose.positions) p[1] *= 1.5;
   document::set_pose(d.document(), pose);
   const auto posed = picture();

@@ -119,7 +119,7 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
 TEST_CASE("a_moved_model_is_located_in_the_window") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
-  deform::Pose pose;
+  pose::Pose pose;
   {
     Driver d;
     REQUIRE(d.open({small.model, small.cage}));

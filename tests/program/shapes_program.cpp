@@ -80,7 +80,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   }
   d.settle();
   REQUIRE(d.document().probes().all.size() == 2);
-  const deform::Probe& pin = d.document().probes().all[1];
+  const pose::Probe& pin = d.document().probes().all[1];
   REQUIRE(pin.pin);
   CHECK(pin.place == rest[pin.pin->vertex]);
   CHECK_FALSE(d.document().shape());
@@ -121,7 +121,7 @@ TEST_CASE("a_pin_under_a_rotated_cage_follows_the_cursor") {
   d.press_key('P', false, false, true);
   d.settle();
   REQUIRE(d.document().probes().all.size() == 1);
-  const deform::Probe& pin = d.document().probes().all[0];
+  const pose::Probe& pin = d.document().probes().all[0];
   const mesh::Point before = document::pinned_vertex(d.document(), 0);
   CHECK(glm::distance(d.on_screen(before), d.on_screen(head)) < 12);
   interact::Transform up;

@@ -52,9 +52,9 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
   document::set_radius(d.document(), 0.3);
   d.frame(3);  // the scene is empty
   d.open_dragon();
-  CHECK(d.document().scheme().weighting.weights == deform::Weights::mean_value);
+  CHECK(d.document().scheme().weighting.weights == pose::Weights::mean_value);
   CHECK(d.document().scheme().weighting.radius == 0.3);
-  CHECK(d.viewer().deformer()->state().rows().form == deform::RowForm::positions);
+  CHECK(d.viewer().deformer()->state().rows().form == pose::RowForm::positions);
 }
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
@@ -111,7 +111,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
     CHECK(d.document().method() == c.method);
     d.settle();
     CHECK(d.viewer().deformer()->engine(c.method) ==
-          (c.method == sym3::Method::fast ? deform::EngineKind::fused : deform::EngineKind::staged));
+          (c.method == sym3::Method::fast ? pose::EngineKind::fused : pose::EngineKind::staged));
     CHECK_MESSAGE(largest_distance(positions(d), reference) <= c.bound * diagonal(d), c.widget);
   }
 }
@@ -139,22 +139,22 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   Driver& d = small.d;
   const auto shows = [&](const char* widget) { return d.viewer().recorder().find(widget).has_value(); };
   const auto& scheme = d.document().scheme();
-  for (const auto way : base::all_values<deform::Way>()) {
+  for (const auto way : base::all_values<pose::Way>()) {
     CAPTURE(base::entry_of(way).word);
     d.choose("way", workspace::choice_command_name(way));
     d.settle();
-    CHECK(scheme == deform::scheme_of(way));
+    CHECK(scheme == pose::scheme_of(way));
     CHECK(d.viewer().deformer()->scheme() == scheme);
-    CHECK(shows("radius") == (way == deform::Way::local));
+    CHECK(shows("radius") == (way == pose::Way::local));
     CHECK_FALSE(shows("weights"));
   }
-  CHECK(test::edit_count(d.document().history()) == choices(deform::Way{}).size());
+  CHECK(test::edit_count(d.document().history()) == choices(pose::Way{}).size());
   d.click("section/Custom deformer");
   d.frame(2);
   d.choose("blend", "blend_linear");
   d.settle();
-  CHECK_FALSE(deform::way_of(scheme));
-  CHECK(scheme.weighting.weights == deform::Weights::cut_off);  // as in the deformer Local
+  CHECK_FALSE(pose::way_of(scheme));
+  CHECK(scheme.weighting.weights == pose::Weights::cut_off);  // as in the deformer Local
 }
 
 TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
@@ -177,7 +177,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   d.settle();
   d.click("radius");  // a click in the center sets the middle value
   d.settle();
-  const deform::Weighting& weighting = d.document().scheme().weighting;
+  const pose::Weighting& weighting = d.document().scheme().weighting;
   CHECK(weighting.radius > 0.05);
   CHECK(weighting.radius < 0.25);
   d.choose("weights", "weights_biharmonic");
@@ -215,9 +215,9 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
   const auto& stats = d.workspace().frame.methods;
   for (const auto& sample : stats.samples) CHECK(sample.ns_per_matrix > 0);
   CHECK(stats.samples[3].worst_error < 1e-14);
-  for (const auto way : base::all_values<deform::Way>()) {
+  for (const auto way : base::all_values<pose::Way>()) {
     CAPTURE(base::entry_of(way).word);
-    document::set_scheme(d.document(), deform::scheme_of(way));
+    document::set_scheme(d.document(), pose::scheme_of(way));
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);

@@ -131,7 +131,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     bool twice = true;
   } cases[] = {
       {"", "rotation", "33", [&] { return scheme.amounts.rotation; }, 0.33},
-      {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
+      {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, pose::number("stretch").largest},
       {"", "pose_weight/0", "12.5", pose_weight, 0.125},
       {"", "pose_weight/0", "999", pose_weight, document::PoseLibrary::largest_weight, false},
       {"", "soft_radius", "0.5", [&] { return w.view.handling.soft.radius; }, 0.5 / diagonal},
@@ -336,16 +336,16 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   REQUIRE(d.until([&] { return times.measured; }));
   constexpr std::size_t fused = workspace::MethodTimes::fused;
   for (std::size_t method = 0; method < fused; ++method) {
-    CHECK(times.links[method][deform::Link::exp] > 0);
-    CHECK(times.links[method][deform::Link::fused] == 0);
+    CHECK(times.links[method][pose::Link::exp] > 0);
+    CHECK(times.links[method][pose::Link::fused] == 0);
   }
-  CHECK(times.links[fused][deform::Link::fused] > 0);
+  CHECK(times.links[fused][pose::Link::fused] > 0);
   CHECK(times.fused_error > 0);
   CHECK(times.fused_error < 1e-4);
   CHECK(d.viewer().recorder().find("timings/fused"));
   // If the method changes, no new binding is needed.
   d.click("method_diag");
-  REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == deform::EngineKind::staged; }));
+  REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == pose::EngineKind::staged; }));
 
   d.workspace().frame.method_times = {};
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
@@ -385,7 +385,7 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   const double middle =
       d.document().cage_file().bounds.low[0] +
       0.7 * (d.document().cage_file().bounds.high[0] - d.document().cage_file().bounds.low[0]);
-  deform::Pose pose = d.document().pose();
+  pose::Pose pose = d.document().pose();
   for (auto& p : pose.positions)
     if (p[0] > middle) p = {p[0], -p[1], -p[2]};
   document::set_pose(d.document(), pose);

@@ -19,40 +19,50 @@ struct Room {
   bool in_python = false;                 ///< true if the room has no C++ code
 };
 
-/// Returns the rooms by their folder in src. The room deform/sparse has the namespace deform.
+/// Returns the rooms by their folder in src, which is also their namespace.
 inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
       {"base", {{}, {}, {"stb"}}},
       {"sym3", {{}, {"eigen", "highway"}, {}}},
-      {"library", {{"base", "sym3", "mesh", "formats", "cages", "deform", "document", "files"}, {}, {}}},
+      {"library",
+       {{"base", "sym3", "mesh", "formats", "cages", "pose", "weights", "deform", "shapes", "document",
+         "files"},
+        {},
+        {}}},
       {"blender", {{}, {}, {}, true}},
-      {"python", {{"base", "sym3", "mesh", "formats", "library"}, {"pybind11"}, {}}},
+      {"python", {{"base", "sym3", "library"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {}}},
       {"formats", {{"base", "mesh"}, {"json"}, {}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {}}},
-      {"deform/sparse", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
-      {"deform", {{"base", "sym3", "mesh", "formats", "deform/sparse"}, {}, {"eigen", "highway"}}},
+      {"sparse", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
+      {"pose", {{"base", "sym3", "mesh", "formats"}, {}, {"eigen"}}},
+      {"weights", {{"base", "sym3", "mesh", "sparse", "pose"}, {}, {"eigen", "highway"}}},
+      {"deform", {{"base", "sym3", "mesh", "sparse", "pose", "weights"}, {}, {"eigen", "highway"}}},
+      {"shapes", {{"base", "sym3", "mesh", "sparse", "pose", "weights"}, {}, {"eigen", "highway"}}},
       {"analysis", {{"base", "sym3", "mesh"}, {}, {}}},
       {"document",
-       {{"base", "sym3", "mesh", "formats", "cages", "deform", "deform/sparse", "analysis"}, {"glm"}, {}}},
-      {"interact", {{"base", "sym3", "mesh", "cages", "deform", "document"}, {"glm"}, {}}},
+       {{"base", "sym3", "mesh", "formats", "cages", "pose", "weights", "shapes", "analysis"}, {"glm"}, {}}},
+      {"interact", {{"base", "sym3", "mesh", "cages", "pose", "document"}, {"glm"}, {}}},
       {"files",
-       {{"base", "sym3", "mesh", "formats", "cages", "deform", "analysis", "document"}, {"glm", "json"}, {}}},
+       {{"base", "sym3", "mesh", "formats", "cages", "pose", "weights", "deform", "shapes", "analysis",
+         "document"},
+        {"glm", "json"},
+        {}}},
       {"workspace",
-       {{"base", "sym3", "mesh", "formats", "cages", "deform", "analysis", "document", "interact", "files"},
+       {{"base", "sym3", "mesh", "formats", "pose", "analysis", "document", "interact", "files"},
         {"glm", "json"},
         {}}},
       {"render", {{"base"}, {"gl", "glm"}, {}}},
       {"ui", {{"base", "analysis", "document", "interact", "files", "workspace"}, {"imgui"}, {}}},
       {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {"glfw"}}},
       {"app",
-       {{"base", "sym3", "mesh", "formats", "cages", "deform", "deform/sparse", "analysis", "document",
-         "interact", "files", "workspace", "render", "ui", "platform"},
+       {{"base", "sym3", "mesh", "formats", "cages", "pose", "weights", "deform", "shapes", "analysis",
+         "document", "interact", "files", "workspace", "render", "ui", "platform"},
         {"imgui", "cli11", "json", "glm"},
         {}}},
       {"bench",
-       {{"base", "sym3", "mesh", "formats", "cages", "deform", "deform/sparse", "analysis", "document",
-         "interact", "files", "workspace", "app"},
+       {{"base", "sym3", "mesh", "formats", "pose", "weights", "deform", "shapes", "analysis", "document",
+         "files", "app"},
         {"cli11", "json"},
         {"eigen", "highway"}}},
   };
@@ -60,17 +70,9 @@ inline const std::map<std::string, Room>& rooms() {
 }
 
 /// Returns the room of a file, given its path in src. If the file is not in a room, returns nullopt.
-inline std::optional<std::string> room_of(std::string path) {
-  for (auto slash = path.rfind('/'); slash != std::string::npos; slash = path.rfind('/')) {
-    path.resize(slash);
-    if (rooms().count(path)) return path;
-  }
-  return std::nullopt;
-}
-
-/// Returns the first folder in the room's path.
-inline std::string namespace_of(const std::string& room) {
-  return room.substr(0, room.find('/'));
+inline std::optional<std::string> room_of(const std::string& path) {
+  const std::string folder = path.substr(0, path.find('/'));
+  return rooms().count(folder) ? std::optional(folder) : std::nullopt;
 }
 
 /// Returns a cycle of files that include each other, or an empty list. `includes` lists for each file the
@@ -151,18 +153,14 @@ inline std::string code_of(const std::string& text) {
   return std::regex_replace(text, other, " ");
 }
 
-/// Returns names of other rooms that a file of `room` must not use, such as "deform::Link" in ui.
+/// Returns names of other rooms that a file of `room` must not use, such as "pose::Link" in ui.
 inline std::vector<std::string> foreign_names(const std::string& room, const std::string& text) {
   static const std::regex qualified(R"((^|[^\w:])(?:viete::)?(\w+)::(\w+))");
   const std::string code = code_of(text);
   std::vector<std::string> found;
   for (std::sregex_iterator at(code.begin(), code.end(), qualified), end; at != end; ++at) {
     const std::string other = (*at)[2];
-    const auto is_other = [&](const std::string& known) { return namespace_of(known) == other; };
-    const bool is_room =
-        std::any_of(rooms().begin(), rooms().end(), [&](const auto& r) { return is_other(r.first); });
-    const auto& knows = rooms().at(room).knows;
-    if (!is_room || is_other(room) || std::any_of(knows.begin(), knows.end(), is_other)) continue;
+    if (!rooms().count(other) || other == room || rooms().at(room).knows.count(other)) continue;
     found.push_back(other + "::" + (*at)[3].str());
   }
   return found;

@@ -10,10 +10,9 @@
 namespace viete::test {
 
 /// Returns the cage rotated about z and moved along x. `pull` moves one vertex, so that no pose is rigid.
-inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double along = 0,
-                                double pull = 0.5) {
+inline pose::Pose turned_cage(const pose::Cage& cage, double degrees, double along = 0, double pull = 0.5) {
   const double a = degrees / 180 * 3.14159265358979323846;
-  deform::Pose pose = deform::rest_pose(cage);
+  pose::Pose pose = pose::rest_pose(cage);
   pose.positions[7][2] += pull;
   for (auto& p : pose.positions)
     p = {std::cos(a) * p[0] - std::sin(a) * p[1] + along, std::sin(a) * p[0] + std::cos(a) * p[1], p[2]};
@@ -26,8 +25,8 @@ struct AnimatedCube : CubeFiles {
   document::Document document = document::open_document(model, cage);
 
   AnimatedCube() {
-    const deform::Cage& c = *document.cage();
-    document.changed_timeline().keys = {{1, whole(deform::rest_pose(c))},
+    const pose::Cage& c = *document.cage();
+    document.changed_timeline().keys = {{1, whole(pose::rest_pose(c))},
                                         {9, whole(turned_cage(c, 90, 1))},
                                         {17, whole(turned_cage(c, 190, 1, -0.25))}};
     document.changed_timeline().first = 1;

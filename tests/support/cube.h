@@ -26,8 +26,8 @@ inline document::OpenedSurface surface_without_file(mesh::Surface surface) {
 
 /// Replaces the cage, and puts it at rest.
 inline void put_cage(document::Document& document, const mesh::Surface& surface) {
-  auto cage = std::make_shared<const deform::Cage>(deform::make_cage(surface));
-  document.replace_cage(surface_without_file(surface), cage, deform::rest_pose(*cage));
+  auto cage = std::make_shared<const pose::Cage>(pose::make_cage(surface));
+  document.replace_cage(surface_without_file(surface), cage, pose::rest_pose(*cage));
 }
 
 inline document::Document cube_document() {

@@ -19,22 +19,22 @@ inline std::vector<mesh::Point> turned(std::vector<mesh::Point> positions, doubl
 }
 
 /// Returns the cage rotated about z. The angle may be above 360 degrees: the pose counts full turns.
-inline deform::Pose turned_cube(double degrees) {
+inline pose::Pose turned_cube(double degrees) {
   return {turned(cube(1.5).positions, degrees), {{0, 0, degrees / 180 * std::numbers::pi}}};
 }
 
 /// Returns the cage scaled along x and z.
-inline deform::Pose stretched_cube(double x, double z = 1) {
-  deform::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
+inline pose::Pose stretched_cube(double x, double z = 1) {
+  pose::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
   for (auto& p : pose.positions) p[0] *= x, p[2] *= z;
   return pose;
 }
 
-inline document::SharedPose whole(deform::Pose pose, std::vector<deform::ProbePose> probes = {}) {
+inline document::SharedPose whole(pose::Pose pose, std::vector<pose::ProbePose> probes = {}) {
   return std::make_shared<const document::WholePose>(document::WholePose{std::move(pose), std::move(probes)});
 }
 
-inline document::PoseKey key(int frame, const deform::Pose& pose,
+inline document::PoseKey key(int frame, const pose::Pose& pose,
                              document::Easing easing = document::Easing::smooth) {
   return {frame, whole(pose), easing};
 }

@@ -54,7 +54,7 @@ TEST_CASE("an_unknown_command_is_not_found_a_disabled_one_does_nothing_and_a_tog
 TEST_CASE(
     "whatever_command_runs_first_an_empty_window_stays_empty_and_a_cage_is_as_it_was_once_all_is_taken_"
     "back") {
-  const deform::Pose rest = test::cube_workspace().document.pose();
+  const pose::Pose rest = test::cube_workspace().document.pose();
   for (const auto& command : commands()) {
     CAPTURE(command.name);
     Workspace empty, w = test::cube_workspace();
@@ -106,24 +106,24 @@ TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   w.document.put_scheme({});
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "blend_linear"));
-  CHECK(w.document.scheme().blend == deform::Blend::linear);
+  CHECK(w.document.scheme().blend == pose::Blend::linear);
   CHECK(w.document.revisions().weights == before.weights);
   CHECK(w.document.revisions().method > before.method);
   CHECK_FALSE(test::run_command(w, "method_sd"));
   CHECK(test::run_command(w, "weights_mean_value"));
-  CHECK(w.document.scheme().weighting.weights == deform::Weights::mean_value);
+  CHECK(w.document.scheme().weighting.weights == pose::Weights::mean_value);
   CHECK(w.document.revisions().weights > before.weights);
   CHECK(w.document.revisions().surfaces == before.surfaces);
   CHECK(test::edit_count(w.document.history()) == 2);
   CHECK(test::run_command(w, "weights_mean_value"));
   CHECK(test::edit_count(w.document.history()) == 2);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme().blend == deform::Blend::linear);
-  CHECK(w.document.scheme().weighting.weights == deform::Weights::inverse);
+  CHECK(w.document.scheme().blend == pose::Blend::linear);
+  CHECK(w.document.scheme().weighting.weights == pose::Weights::inverse);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme() == deform::Scheme());
+  CHECK(w.document.scheme() == pose::Scheme());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme().blend == deform::Blend::linear);
+  CHECK(w.document.scheme().blend == pose::Blend::linear);
 }
 
 TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
@@ -135,11 +135,11 @@ TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
   set_amounts(w.document, {0.25, 2});
   CHECK(test::edit_count(w.document.history()) == 3);
   CHECK(test::run_command(w, "blend_linear"));
-  CHECK(w.document.scheme().amounts == deform::Amounts{0.25, 2});
+  CHECK(w.document.scheme().amounts == pose::Amounts{0.25, 2});
   for (int n = 0; n < 4; ++n) CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme().amounts.whole());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme().amounts == deform::Amounts{0.25, 1});
+  CHECK(w.document.scheme().amounts == pose::Amounts{0.25, 1});
 }
 
 TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a_row_are_one") {
@@ -177,15 +177,15 @@ TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   test::run_command(w, "reset_pose");
   const std::size_t edits = test::edit_count(w.document.history());
   test::run_command(w, "weights_mean_value");
-  revert_scheme(w.document, deform::Scheme());
-  CHECK(w.document.scheme() == deform::Scheme());
+  revert_scheme(w.document, pose::Scheme());
+  CHECK(w.document.scheme() == pose::Scheme());
   CHECK(test::edit_count(w.document.history()) == edits);
   w.document.changed_pose().positions[0][0] += 0.25;
   test::run_command(w, "weights_mean_value");
   test::run_command(w, "reset_pose");
-  revert_scheme(w.document, deform::Scheme());  // keeps both edits: the last edit did not change the scheme
+  revert_scheme(w.document, pose::Scheme());  // keeps both edits: the last edit did not change the scheme
   CHECK(test::edit_count(w.document.history()) == edits + 2);
-  CHECK(w.document.scheme() == deform::Scheme());
+  CHECK(w.document.scheme() == pose::Scheme());
 }
 
 TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {

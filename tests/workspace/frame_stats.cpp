@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace viete::workspace;
-using viete::deform::Link;
+using viete::pose::Link;
 
 namespace {
 

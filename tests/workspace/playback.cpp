@@ -31,7 +31,7 @@ struct Played {
   void pass(double seconds) { follow_time(w, seconds); }
   void go_to(double frame) { go_to_frame(w, frame), pass(0); }
   void take_back() { undo(document()), pass(0); }
-  void put(const deform::Pose& pose) {
+  void put(const pose::Pose& pose) {
     record_edit(document(), "move by hand");
     document().changed_pose() = pose;
   }
@@ -87,7 +87,7 @@ TEST_CASE("an_unkeyed_pose_survives_a_frame_change_unless_it_is_rest") {
   lost_without_a_word([&] { p.put(turned_cube(33)); });
   lost_without_a_word([&] {
     // A full turn changes the pose, but not the positions.
-    deform::Pose pose = p.document().pose();
+    pose::Pose pose = p.document().pose();
     pose.turns[0][2] += 2 * std::numbers::pi;
     p.put(pose);
   });

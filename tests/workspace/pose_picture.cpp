@@ -17,8 +17,8 @@ glm::vec2 extent(const std::vector<PictureShape>& shapes) {
   return high - low;
 }
 
-deform::Pose scaled(const deform::Cage& cage, double factor) {
-  deform::Pose pose = deform::rest_pose(cage);
+pose::Pose scaled(const pose::Cage& cage, double factor) {
+  pose::Pose pose = pose::rest_pose(cage);
   for (auto& p : pose.positions)
     for (double& x : p) x *= factor;
   return pose;

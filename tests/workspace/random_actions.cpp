@@ -225,8 +225,8 @@ private:
 
 struct Everything {
   std::vector<mesh::Point> positions;
-  std::vector<deform::Vec3> turns;
-  deform::Probes probes;
+  std::vector<mesh::Vec3> turns;
+  pose::Probes probes;
   Selection selection;
   CageGroups groups;
   PoseLibrary library;

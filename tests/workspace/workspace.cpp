@@ -15,7 +15,7 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   set_radius(w.document, 0.5123456789);
   undo(w.document);
   REQUIRE(w.document.history().can_redo());
-  const deform::Scheme scheme = w.document.scheme();
+  const pose::Scheme scheme = w.document.scheme();
   const std::string label = w.document.history().undo_label();
   begin_widget_edit(w);
   for (const double radius : {0.4, 0.2}) set_radius(w.document, radius);

@@ -1,0 +1,233 @@
+#include "pose/scheme.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+
+namespace viete::pose {
+
+namespace {
+
+constexpr base::Choice weights_table[] = {
+    {"inverse", "Inverse distance", "1/d^2, where d is the distance to the cage element"},
+    {"cutoff", "Cut-off", "(1 - d/radius)^2 at the distance d up to the radius, then 0"},
+    {"harmonic", "Harmonic",
+     "harmonic functions on the model's surface, largest at the vertices nearest to the cage element"},
+    {"biharmonic", "Biharmonic",
+     "biharmonic functions on the model's surface, smoother than harmonic; negative values become 0"},
+    {"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
+};
+
+constexpr base::Choice blend_table[] = {
+    {"srl", "Log space",
+     "sums the logarithms of rotations and of stretches; both act around the blended centre"},
+    {"mls-affine", "Least squares (MLS)", "fits an affine transformation by least squares"},
+    {"mls-similarity", "Least squares, similarity", "fits a rotation and a uniform scale by least squares"},
+    {"mls-rigid", "Least squares, rigid", "fits a rotation by least squares"},
+    {"linear", "Linear (LBS)", "weighted mean of the transformations"},
+};
+
+}  // namespace
+
+std::string_view name(Elements elements) {
+  return elements == Elements::face ? "faces" : "vertices";
+}
+
+std::span<const base::Choice> choices(Weights) {
+  return weights_table;
+}
+std::span<const base::Choice> choices(Blend) {
+  return blend_table;
+}
+bool fits_points(Blend blend) {
+  return blend == Blend::mls_affine || blend == Blend::mls_similarity || blend == Blend::mls_rigid;
+}
+Elements elements_of(Weights weights, Blend blend) {
+  return weights == Weights::mean_value || fits_points(blend) ? Elements::point : Elements::face;
+}
+
+std::optional<std::string_view> conflict(const Scheme& scheme) {
+  if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
+    return "mean value weights need the linear blend";
+  if (scheme.stitched() && !scheme.has_maps())
+    return "these weights or this blend use the cage's vertices, but ARAP needs its triangles";
+  return std::nullopt;
+}
+
+bool fits(const PartialChoice& choice, const Scheme& s) {
+  return choice.weights.value_or(s.weighting.weights) == s.weighting.weights &&
+         choice.blend.value_or(s.blend) == s.blend;
+}
+
+std::vector<Scheme> valid_schemes() {
+  std::vector<Scheme> all;
+  for (const Weights weights : base::all_values<Weights>()) {
+    for (const Blend blend : base::all_values<Blend>()) {
+      const Scheme scheme{{elements_of(weights, blend), weights}, blend};
+      if (!conflict(scheme)) all.push_back(scheme);
+    }
+  }
+  return all;
+}
+
+std::string text(const Scheme& s) {
+  return std::string(base::entry_of(s.weighting.weights).word) + ", " +
+         std::string(base::entry_of(s.blend).word) + (s.stitched() ? ", arap" : "");
+}
+
+namespace {
+
+constexpr base::Choice ways_table[] = {
+    {"smooth", "Smooth", "best for most models: weights along the surface, blended in log space"},
+    {"paper", "As published", "as in the paper: inverse-distance weights, blended in log space"},
+    {"mean-value", "Mean value",
+     "mean value coordinates: exact for affine poses, but rotated parts lose volume"},
+    {"rigid", "Rigid", "rigid least squares: rotates without stretching, so details keep their size"},
+    {"arap", "As rigid as possible",
+     "solves for the most rigid surface: preserves details best, but frames are slower"},
+    {"local", "Local", "weights end at a radius: vertices beyond it stay at rest"},
+};
+
+constexpr Scheme way_schemes[] = {
+    {.weighting = {Elements::face, Weights::biharmonic}},
+    {},
+    {.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear},
+    {.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid},
+    {.weighting = {Elements::face, Weights::biharmonic}, .iterations = 1},
+    {.weighting = {Elements::face, Weights::cut_off}},
+};
+
+}  // namespace
+
+std::span<const base::Choice> choices(Way) {
+  return ways_table;
+}
+
+Scheme scheme_of(Way way, const Scheme& now) {
+  Scheme s = way_schemes[static_cast<std::size_t>(way)];
+  s.amounts = now.amounts;
+  return s;
+}
+
+std::optional<Way> way_of(const Scheme& s) {
+  for (const Way way : base::all_values<Way>()) {
+    const Scheme scheme = scheme_of(way);
+    if (s.weighting.weights == scheme.weighting.weights && s.blend == scheme.blend &&
+        s.stitched() == scheme.stitched())
+      return way;
+  }
+  return std::nullopt;
+}
+
+Scheme default_scheme(bool has_triangles) {
+  return scheme_of(has_triangles ? Way::smooth : Way::paper);
+}
+
+Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
+  Scheme s = preferred;
+  s.iterations = 0;
+  s.weighting.weights = choice.weights.value_or(preferred.weighting.weights);
+  s.blend = choice.blend.value_or(preferred.blend);
+  if (conflict(s) && !choice.blend) s.blend = Blend::linear;
+  if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
+  if (const auto reason = conflict(s))
+    throw base::Error("", "these weights and this blend cannot be combined: " + std::string(*reason),
+                      "omit one of them; it is then chosen automatically");
+  s.weighting.elements = elements_of(s.weighting.weights, s.blend);
+  if (s.has_maps()) s.iterations = preferred.iterations;
+  return s;
+}
+
+namespace {
+
+using Need = NumberEntry::Need;
+constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
+                          "these weights have no radius", "omit it, or choose the weights cutoff"},
+    has_maps{[](const Scheme&s) { return s.has_maps(); },
+             "this deformer ignores the cage's rotation and stretch",
+             "omit it, or choose another deformer or blend"},
+    is_stitched{[](const Scheme&s) { return s.stitched(); }, "this setting needs ARAP",
+                "omit it, or choose the deformer arap"};
+
+constexpr std::array numbers_table = {
+    NumberEntry{{"radius", "Radius", "Distance at which weights end, relative to the cage's size"},
+                [](Scheme& s) -> double& { return s.weighting.radius; },
+                &AskedScheme::radius,
+                has_radius,
+                0.001,
+                10},
+    NumberEntry{{"rotation", "Rotation", "Scale the blended rotation"},
+                [](Scheme& s) -> double& { return s.amounts.rotation; },
+                &AskedScheme::rotation,
+                has_maps,
+                0,
+                2},
+    NumberEntry{{"stretch", "Stretch", "Scale the blended stretch"},
+                [](Scheme& s) -> double& { return s.amounts.stretch; },
+                &AskedScheme::stretch,
+                has_maps,
+                0,
+                2},
+    NumberEntry{
+        {"attach", "Attach", "ARAP: attach vertices within this distance of the cage, relative to its size"},
+        [](Scheme& s) -> double& { return s.holding.radius; },
+        &AskedScheme::attach,
+        is_stitched},
+    NumberEntry{{"hold", "Hold", "ARAP: pull each vertex towards the position that it has without ARAP"},
+                [](Scheme& s) -> double& { return s.holding.weight; },
+                &AskedScheme::hold,
+                is_stitched},
+};
+
+[[noreturn]] void refuse(std::string_view setting, const Need& need) {
+  throw base::Error(std::string(setting), std::string(need.problem), std::string(need.advice));
+}
+
+}  // namespace
+
+std::span<const NumberEntry> all_numbers() {
+  return numbers_table;
+}
+const NumberEntry& number(std::string_view word) {
+  return *std::ranges::find(numbers_table, word, &NumberEntry::word);
+}
+
+double NumberEntry::percent(Scheme scheme) const {
+  return std::round(1e8 * of(scheme)) / 1e6;
+}
+std::string text_of_percent(double fraction) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, std::round(1e8 * fraction) / 1e6).ptr) +
+         " %";
+}
+
+Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
+  Scheme scheme = asked.way ? scheme_of(*asked.way, now) : now;
+  PartialChoice choice = asked.choice;
+  if (asked.radius && !chosen && !asked.way && !choice.weights) choice.weights = Weights::cut_off;
+  if (choice.any()) scheme = complete(choice, scheme);
+  if (asked.arap && !scheme.stitched()) scheme.iterations = 1;
+  if (asked.iterations && !scheme.stitched()) refuse("iterations", is_stitched);
+  scheme.iterations = asked.iterations.value_or(scheme.iterations);
+  for (const NumberEntry& number : numbers_table) {
+    const std::optional<double>& value = asked.*number.asked;
+    if (!value) continue;
+    if (!number.need.met(scheme)) refuse(number.word, number.need);
+    number.of(scheme) = *value;
+  }
+  if (const auto reason = conflict(scheme))
+    throw base::Error("arap", std::string(*reason), "omit it, or choose another deformer or blend");
+  return scheme;
+}
+
+EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool all_staged) {
+  if (scheme.stitched()) return EngineKind::stitched;
+  const bool fuses = !scheme.exponential() || (method == sym3::Method::fast && !all_staged);
+  return fuses ? EngineKind::fused : EngineKind::staged;
+}
+
+}  // namespace viete::pose

@@ -1,0 +1,197 @@
+// Schemes: the weights and the blend that deform a model, their names, and how users' choices are combined.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/choice.h"
+#include "sym3/exp.h"
+
+namespace viete::pose {
+
+/// The handles of the cage. `face`: the triangles, each with an affine map. `point`: the vertices, which only
+/// translate. Weights and blend decide between face and point, see elements_of().
+enum class Elements { face, point };
+/// Returns "faces" or "vertices".
+std::string_view name(Elements elements);
+
+/// The weights of the handles at a vertex. (Smooth weights with bounds, such as bounded biharmonic weights,
+/// would need a solver for quadratic programs with 10^5 or more unknowns. Debian 12 has no such package.)
+enum class Weights { inverse, cut_off, harmonic, biharmonic, mean_value };
+std::span<const base::Choice> choices(Weights);
+
+/// The quantities that are summed with the weights, and how the sums become a position.
+enum class Blend { srl, mls_affine, mls_similarity, mls_rigid, linear };
+std::span<const base::Choice> choices(Blend);
+/// Returns true if the blend fits maps to points, and false if it blends maps of triangles.
+bool fits_points(Blend blend);
+
+/// How a frame is computed. `staged`: step by step, in double precision. `fused`: in one pass over the
+/// weights, in float. `stitched`: solves for the positions. The program chooses the engine, see engine_for().
+enum class EngineKind { staged, fused, stitched };
+
+Elements elements_of(Weights weights, Blend blend);
+
+/// Limit of Scheme::iterations. More iterations change almost nothing.
+inline constexpr int most_iterations = 20;
+
+/// All settings that affect the weights of a binding. (The blend does not affect the weights.)
+struct Weighting {
+  Elements elements = Elements::face;
+  Weights weights = Weights::inverse;
+  double radius = 0.25;  ///< the radius of cut-off weights, relative to the cage's size
+
+  double used_radius() const { return partial() ? radius : 0; }
+  /// Returns true if weights end at the radius. If so, the weights of a vertex may sum to less than 1, see
+  /// Shares.
+  bool partial() const { return weights == Weights::cut_off; }
+  /// Returns true if the weights are functions on the model's surface, and false if of points in space.
+  bool on_surface() const { return weights == Weights::harmonic || weights == Weights::biharmonic; }
+  /// Returns true if negative weights are set to 0 and the other weights are rescaled to sum 1.
+  bool clamped() const { return weights == Weights::biharmonic; }
+  /// Returns true if a and b give equal weights.
+  friend bool operator==(const Weighting& a, const Weighting& b) {
+    return a.elements == b.elements && a.weights == b.weights && a.used_radius() == b.used_radius();
+  }
+};
+
+/// Factors of the logs of each map. Handles' centres do not change.
+struct Amounts {
+  double rotation = 1,
+         stretch = 1;  ///< rotation: factor of the rotation's log; stretch: of the stretch's log
+
+  bool whole() const { return rotation == 1 && stretch == 1; }
+  friend bool operator==(const Amounts&, const Amounts&) = default;
+};
+
+/// Additional constraints of a stitched model, see stitch().
+struct Holding {
+  double radius = 0;  ///< vertices within this distance are attached to the cage; relative to the cage's size
+  double weight = 0;  ///< strength of the pull of each vertex towards its blended position
+
+  friend bool operator==(const Holding&, const Holding&) = default;
+};
+
+/// The defaults of the members are the published scheme. default_scheme() is the program's default.
+struct Scheme {
+  Weighting weighting;
+  Blend blend = Blend::srl;
+  Amounts amounts{};  ///< ignored if elements only translate
+  /// Number of solves of a stitched model, see Stitcher. 0: the model is not stitched.
+  int iterations = 0;
+  Holding holding{};  ///< for stitched models
+
+  bool stitched() const { return iterations > 0; }
+  /// Returns true if a frame needs an exponential per vertex.
+  bool exponential() const { return blend == Blend::srl; }
+  /// Returns true if elements rotate and stretch; false if they only translate.
+  bool has_maps() const { return weighting.elements == Elements::face; }
+  friend bool operator==(const Scheme& a, const Scheme& b) {
+    return a.weighting == b.weighting && a.blend == b.blend && a.amounts == b.amounts &&
+           a.iterations == b.iterations && a.holding == b.holding;
+  }
+};
+
+/// The cheapest scheme, for a cage without elements: see no_cage().
+inline Scheme no_motion() {
+  return {.weighting = {}, .blend = Blend::linear};
+}
+
+/// If weights, blend and stitching are incompatible, returns the reason as a sentence; otherwise nullopt.
+std::optional<std::string_view> conflict(const Scheme& scheme);
+
+/// A choice of weights and a choice of a blend. A member without a value allows any value.
+struct PartialChoice {
+  std::optional<Weights> weights{};
+  std::optional<Blend> blend{};
+
+  bool any() const { return weights || blend; }
+};
+bool fits(const PartialChoice& choice, const Scheme& scheme);
+
+/// Returns all compatible pairs of weights and blend, unstitched and with default numbers.
+std::vector<Scheme> valid_schemes();
+
+/// Returns the names of weights and blend, for example "inverse, srl". If stitched, adds ", arap".
+std::string text(const Scheme& scheme);
+
+enum class Way { smooth, paper, mean_value, rigid, arap, local };
+std::span<const base::Choice> choices(Way);
+
+/// Returns the scheme of a deformer, with the amounts of `now`.
+Scheme scheme_of(Way way, const Scheme& now = {});
+/// Returns the deformer of a scheme, or nullopt. Ignores amounts, radius, number of iterations and holding.
+std::optional<Way> way_of(const Scheme& scheme);
+
+/// The default is Way::smooth. It has the lowest energy over the poses of many models and is never among the
+/// worst (see the manual). Without triangles, the default is Way::paper, because its weights need no surface.
+Scheme default_scheme(bool has_triangles = true);
+
+inline PartialChoice only(Weights weights) {
+  return {.weights = weights};
+}
+inline PartialChoice only(Blend blend) {
+  return {.blend = blend};
+}
+
+/// Returns a scheme with these choices. Keeps as much as possible of `preferred`: the radius, the amounts,
+/// and stitching if compatible. Throws base::Error with the reason if the choices are incompatible.
+Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
+
+/// Returns the scheme after a user picks this deformer, weights or blend. Keeps compatible choices of `now`.
+inline Scheme chosen(Way way, const Scheme& now) {
+  return scheme_of(way, now);
+}
+template <class Choice>
+Scheme chosen(Choice choice, const Scheme& now) {
+  return complete(only(choice), now);
+}
+
+struct AskedScheme {
+  std::optional<Way> way{};  ///< the base; the other fields modify it
+  PartialChoice choice{};
+  std::optional<double> radius{}, rotation{}, stretch{};  ///< see all_numbers()
+  bool arap = false;                                      ///< turns ARAP on
+  std::optional<int> iterations{};                        ///< needs ARAP, see Scheme::iterations
+  std::optional<double> attach{}, hold{};                 ///< see all_numbers()
+
+  bool any() const {
+    return way || choice.any() || radius || rotation || stretch || arap || iterations || attach || hold;
+  }
+};
+
+/// A setting that is a fraction. Users see and type percent; libraries use the fraction.
+struct NumberEntry : base::Choice {
+  /// The condition under which a scheme uses the setting, and the error if the condition is not met.
+  struct Need {
+    bool (*met)(const Scheme& scheme);
+    std::string_view problem, advice;
+  };
+  double& (*of)(Scheme& scheme);
+  std::optional<double> AskedScheme::*asked;
+  Need need;
+  double least = 0, largest = 1;
+
+  /// The value in percent, rounded to the number that a user typed: 29 instead of 28.999999999999996.
+  double percent(Scheme scheme) const;
+};
+/// Returns a fraction as text, for example "25 %".
+std::string text_of_percent(double fraction);
+/// The settings "radius", "rotation", "stretch", "attach" and "hold".
+std::span<const NumberEntry> all_numbers();
+const NumberEntry& number(std::string_view word);
+
+/// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. `chosen` is true if
+/// weights were chosen by name earlier, for example in a session. Otherwise, if `asked` has a radius, but
+/// neither a deformer nor weights, selects cut-off weights. Throws base::Error for incompatible choices, for
+/// numbers that the scheme does not use, and for ARAP with elements that only translate.
+Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
+
+/// Returns `stitched` for stitched schemes, `fused` for the method `fast` and for schemes without an
+/// exponential, and otherwise `staged`. If `all_staged` is true, treats `fast` like the other methods.
+EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool all_staged = false);
+
+}  // namespace viete::pose

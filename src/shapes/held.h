@@ -1,0 +1,39 @@
+// The anchors of a moving shape's parts. Anchors determine translations, which logs do not contain.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/adjacency.h"
+#include "pose/cage.h"
+
+namespace viete::shapes {
+
+using mesh::Vec3;
+
+struct HangingParts {
+  mesh::Adjacency vertices;    ///< vertices of each connected part
+  std::vector<bool> loose;     ///< true: the vertex has no triangles and belongs to no part
+  std::vector<double> masses;  ///< area around each vertex: factor of its weight in its part's anchor
+
+  std::size_t count() const { return vertices.starts.size() - 1; }
+};
+
+/// The weight of each vertex in the anchor of its part. The anchor is a weighted mean of the part's vertices,
+/// and moves on a straight line. Vertices that move little have large weights. Therefore a resting region
+/// stays, and a limb rotates about its joint. If a part moves by an affine map, the anchor is the point that
+/// moves least: for a rotation, a point on the axis.
+using Held = std::vector<double>;
+
+/// Returns the anchors of a motion with the displacements `ways` from the positions `from`. `squares` tells
+/// how far each vertex moves: usually the squared lengths of `ways`.
+Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
+          std::span<const double> squares);
+
+/// Translates each part in `ways` so that its anchor has equal displacements in `ways` and `straight`.
+void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways);
+
+/// Translates each part in `ways` so that the mean displacement of the part is 0.
+void center(const HangingParts& parts, std::span<Vec3> ways);
+
+}  // namespace viete::shapes

@@ -1,0 +1,293 @@
+// Vector code of binding. bind_kernel.cpp includes this file once per instruction set, see sym3/exp-inl.h.
+#if defined(VIETE_DEFORM_BIND_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_DEFORM_BIND_KERNEL_INL_H
+#undef VIETE_DEFORM_BIND_KERNEL_INL_H
+#else
+#define VIETE_DEFORM_BIND_KERNEL_INL_H
+#endif
+
+#include <algorithm>
+
+#include "sym3/lanes-inl.h"
+#include "weights/bind_jobs.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace viete::weights::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+namespace lanes = viete::sym3::HWY_NAMESPACE;
+
+constexpr std::size_t row_lanes = 16;
+constexpr float farthest = 1e24f;           // limit of squared distances for float, in squared cage diagonals
+constexpr std::size_t summed_at_once = 16;  // terms per partial sum: short sums have small rounding errors
+
+using PointTag = hn::CappedTag<double, bind_lanes>;
+using PointV = hn::Vec<PointTag>;
+
+template <class D>
+using Points = lanes::Three<hn::Vec<D>>;
+
+template <class D>
+static HWY_INLINE Points<D> load_points(D d, const hn::TFromD<D>* at, std::size_t stride) {
+  return {hn::LoadU(d, at), hn::LoadU(d, at + stride), hn::LoadU(d, at + 2 * stride)};
+}
+
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE hn::Vec<D> along(D d, const Points<D>& p, const T* axis, T shift) {
+  return hn::MulAdd(
+      p.x, hn::Set(d, axis[0]),
+      hn::MulAdd(p.y, hn::Set(d, axis[1]), hn::MulSub(p.z, hn::Set(d, axis[2]), hn::Set(d, shift))));
+}
+
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V linear(D d, const hn::TFromD<D>* c, V x, V y) {
+  return hn::MulAdd(hn::Set(d, c[0]), x, hn::MulAdd(hn::Set(d, c[1]), y, hn::Set(d, c[2])));
+}
+
+// Returns the squared distance from an edge to the point (along, beside) in coordinates of the edge.
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<D> length) {
+  const V beyond = hn::Sub(along, hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, length)));
+  return hn::MulAdd(beyond, beyond, hn::Mul(beside, beside));
+}
+
+// Returns the squared distance from a point to a triangle. This is z^2, the squared distance to the plane,
+// plus the squared distance from the point's projection (x, y) to the triangle, which is 0 inside.
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const DistanceTriangle<T>& t,
+                                              const T* shift) {
+  const auto x = along(d, p, t.axes[0], shift[0]), y = along(d, p, t.axes[1], shift[1]);
+  const auto z = along(d, p, t.axes[2], shift[2]);
+  const auto left1 = linear(d, t.inward[0], x, y), left2 = linear(d, t.inward[1], x, y);
+  const auto edges =
+      hn::Min(squared_distance_to_edge(d, x, y, t.length[0]),
+              hn::Min(squared_distance_to_edge(d, linear(d, t.along[0], x, y), left1, t.length[1]),
+                      squared_distance_to_edge(d, linear(d, t.along[1], x, y), left2, t.length[2])));
+  const auto outside = hn::Lt(hn::Min(y, hn::Min(left1, left2)), hn::Set(d, t.outside));
+  return hn::MulAdd(z, z, hn::IfThenElseZero(outside, edges));
+}
+
+static void inverse_distance(const WeightJob<double>& job, double* weights) {
+  const PointTag d;
+  for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
+    const auto p = load_points(d, job.points + l, bind_lanes);
+    PointV nearest = hn::Set(d, 1e300), sum = hn::Zero(d);
+    for (std::size_t i = 0; i < job.count; ++i) {
+      const PointV square =
+          hn::Max(hn::Set(d, job.least_square), squared_distance(d, p, job.triangles[i], job.shifts[i]));
+      hn::StoreU(square, d, weights + i * bind_lanes + l);
+      if (job.triangles[i].share > 0) nearest = hn::Min(nearest, square);
+    }
+    for (std::size_t i = 0; i < job.count; ++i) {
+      double* w = weights + i * bind_lanes + l;
+      const double part = job.triangles[i].share;
+      const PointV ratio =
+          part > 0 ? hn::Mul(hn::Set(d, part), hn::Div(nearest, hn::LoadU(d, w))) : hn::Zero(d);
+      sum = hn::Add(sum, ratio);
+      hn::StoreU(ratio, d, w);
+    }
+    const PointV share = hn::Div(hn::Set(d, 1.0), sum);
+    for (std::size_t i = 0; i < job.count; ++i) {
+      double* w = weights + i * bind_lanes + l;
+      hn::StoreU(hn::Mul(share, hn::LoadU(d, w)), d, w);
+    }
+  }
+}
+
+template <class V>
+struct CutOffSum {
+  V weights, near;  // near: 1 if a distance is too small for float precision, else 0
+};
+
+// Writes the weight of triangle i to weights[i * stride]: (1 - distance * cut)^2, or 0 beyond the radius.
+template <class D, class T = hn::TFromD<D>>
+static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
+                                                      T* weights, std::size_t stride) {
+  using V = hn::Vec<D>;
+  CutOffSum<V> sum{hn::Zero(d), hn::Zero(d)};
+  for (std::size_t i = 0; i < job.count; ++i) {
+    const auto& t = job.triangles[i];
+    V w = hn::Zero(d);
+    if (t.share > 0) {
+      const V square = squared_distance(d, p, t, job.shifts[i]);
+      const V left = hn::NegMulAdd(hn::Sqrt(square), hn::Set(d, job.cut), hn::Set(d, 1));
+      const V inside = hn::Max(hn::Zero(d), left);
+      w = hn::Mul(hn::Set(d, t.share), hn::Mul(inside, inside));
+      sum.near = hn::Max(sum.near, hn::IfThenElseZero(hn::Lt(square, hn::Set(d, t.near)), hn::Set(d, 1)));
+    }
+    sum.weights = hn::Add(sum.weights, w);
+    hn::StoreU(w, d, weights + i * stride);
+  }
+  return sum;
+}
+
+template <class D, class V = hn::Vec<D>>
+static HWY_INLINE V share_of_sum(D d, V sum) {
+  return hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), hn::Div(hn::Set(d, 1), sum));
+}
+
+static void cut_off(const WeightJob<double>& job, double* weights, double* totals) {
+  const PointTag d;
+  for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
+    const auto p = load_points(d, job.points + l, bind_lanes);
+    const PointV sum = cut_off_lanes(d, job, p, weights + l, bind_lanes).weights;
+    hn::StoreU(sum, d, totals + l);
+    const PointV share = share_of_sum(d, sum);
+    for (std::size_t i = 0; i < job.count; ++i) {
+      double* w = weights + i * bind_lanes + l;
+      hn::StoreU(hn::Mul(share, hn::LoadU(d, w)), d, w);
+    }
+  }
+}
+
+// For every handle i, writes weight(i) to job.rows[i] from `lane` on. Computes job.sums.
+template <class Weight>
+static HWY_INLINE void fill_rows(const RowJob& job, std::size_t lane, const Weight& weight) {
+  const PointTag d;
+  const hn::Rebind<float, PointTag> narrow;
+  PointV x = hn::Zero(d), y = x, z = x;
+  for (std::size_t i = 0; i < job.count; ++i) {
+    const auto w = weight(i);
+    hn::StoreU(w, narrow, job.rows + i * row_lanes + lane);
+    const PointV back = hn::PromoteTo(d, w);
+    x = hn::MulAdd(back, hn::Set(d, job.handles[i][0]), x);
+    y = hn::MulAdd(back, hn::Set(d, job.handles[i][1]), y);
+    z = hn::MulAdd(back, hn::Set(d, job.handles[i][2]), z);
+  }
+  hn::StoreU(x, d, job.sums + lane);
+  hn::StoreU(y, d, job.sums + row_lanes + lane);
+  hn::StoreU(z, d, job.sums + 2 * row_lanes + lane);
+}
+
+static void to_rows(const double* weights, const RowJob& job) {
+  const PointTag d;
+  const hn::Rebind<float, PointTag> narrow;
+  for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
+    fill_rows(job, l, [&](std::size_t i) {
+      return hn::DemoteTo(narrow, hn::LoadU(d, weights + i * bind_lanes + l));
+    });
+  }
+}
+
+using RowTag = hn::CappedTag<float, row_lanes>;
+using RowV = hn::Vec<RowTag>;
+
+// Returns 1 / x with an error of at most two ulp. Improves the processor's estimate by one third-order step.
+// This takes a third of the time of a division.
+static HWY_INLINE RowV inverse(RowV x) {
+  const RowTag d;
+  const RowV y = hn::ApproximateReciprocal(x), e = hn::NegMulAdd(x, y, hn::Set(d, 1.0f));
+  return hn::MulAdd(y, hn::MulAdd(e, e, e), y);
+}
+
+// Multiplies the weights of each lane by shares[lane], and computes out.sums from the new weights.
+static void normalise_rows(const float* shares, const RowJob& out) {
+  const hn::Rebind<float, PointTag> half;
+  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(half)) {
+    const auto share = hn::LoadU(half, shares + l);
+    fill_rows(out, l,
+              [&](std::size_t i) { return hn::Mul(share, hn::LoadU(half, out.rows + i * row_lanes + l)); });
+  }
+}
+
+static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out) {
+  const RowTag d;
+  HWY_ALIGN float shares[row_lanes];
+  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(d)) {
+    const auto p = load_points(d, job.points + l, row_lanes);
+    RowV nearest = hn::Set(d, farthest), sum = hn::Zero(d);
+    auto near = hn::Lt(nearest, hn::Zero(d));
+    for (std::size_t i = 0; i < job.count; ++i) {
+      const auto& t = job.triangles[i];
+      const RowV square = hn::Max(hn::Set(d, job.least_square), squared_distance(d, p, t, job.shifts[i]));
+      hn::StoreU(square, d, out.rows + i * row_lanes + l);
+      if (!(t.share > 0)) continue;
+      nearest = hn::Min(nearest, square);
+      near = hn::Or(near, hn::Lt(square, hn::Set(d, t.near)));
+    }
+    if (!hn::AllFalse(d, hn::Or(near, hn::Ge(nearest, hn::Set(d, farthest))))) return false;
+    for (std::size_t block = 0; block < job.count; block += summed_at_once) {
+      RowV part = hn::Zero(d);
+      for (std::size_t i = block; i < std::min(block + summed_at_once, job.count); ++i) {
+        float* w = out.rows + i * row_lanes + l;
+        const float of_one = job.triangles[i].share;
+        const RowV ratio = of_one > 0
+                               ? hn::Mul(hn::Set(d, of_one), hn::Mul(nearest, inverse(hn::LoadU(d, w))))
+                               : hn::Zero(d);
+        part = hn::Add(part, ratio);
+        hn::StoreU(ratio, d, w);
+      }
+      sum = hn::Add(sum, part);
+    }
+    hn::StoreU(hn::Div(hn::Set(d, 1.0f), sum), d, shares + l);
+  }
+  normalise_rows(shares, out);
+  return true;
+}
+
+static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
+  constexpr float least_total = 1e-30f;  // the smallest sum with an accurate inverse
+  const RowTag d;
+  HWY_ALIGN float shares[row_lanes];
+  for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(d)) {
+    const auto p = load_points(d, job.points + l, row_lanes);
+    const auto [sum, near] = cut_off_lanes(d, job, p, out.rows + l, row_lanes);
+    const auto tiny = hn::And(hn::Gt(sum, hn::Zero(d)), hn::Lt(sum, hn::Set(d, least_total)));
+    if (!hn::AllFalse(d, hn::Or(tiny, hn::Gt(near, hn::Zero(d))))) return false;
+    hn::StoreU(sum, d, out.totals + l);
+    hn::StoreU(share_of_sum(d, sum), d, shares + l);
+  }
+  normalise_rows(shares, out);
+  return true;
+}
+
+// Returns each row's dot product with a unit row. Four separate sums hide the latency of additions.
+static HWY_INLINE RowV product_with(const float* rows, std::size_t columns, const float* unit_row) {
+  const RowTag d;
+  RowV s[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  std::size_t j = 0;
+  for (; j + 4 <= columns; j += 4) {
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+      s[i] = hn::MulAdd(hn::Load(d, rows + (j + i) * row_lanes), hn::Set(d, unit_row[j + i]), s[i]);
+    }
+  }
+  for (; j < columns; ++j)
+    s[0] = hn::MulAdd(hn::Load(d, rows + j * row_lanes), hn::Set(d, unit_row[j]), s[0]);
+  return hn::Add(hn::Add(s[0], s[1]), hn::Add(s[2], s[3]));
+}
+
+static void take_out(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms) {
+  const RowTag d;
+  for (std::size_t group = 0; group < leaf.tiles * row_lanes; group += hn::Lanes(d)) {
+    float* rows = leaf.rows + group / row_lanes * row_lanes * leaf.columns + group % row_lanes;
+    const RowV c = product_with(rows, leaf.columns, unit_row);
+    RowV norm = hn::Zero(d);
+    for (std::size_t j = 0; j < leaf.columns; ++j) {
+      const RowV left = hn::NegMulAdd(c, hn::Set(d, unit_row[j]), hn::Load(d, rows + j * row_lanes));
+      hn::Store(left, d, rows + j * row_lanes);
+      norm = hn::MulAdd(left, left, norm);
+    }
+    hn::Store(c, d, coefficients + group);
+    hn::Store(norm, d, squared_norms + group);
+  }
+}
+
+static void solve(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower) {
+  const RowTag d;
+  for (std::size_t group = 0; group < tiles * row_lanes; group += hn::Lanes(d)) {
+    float* u = coefficients + group / row_lanes * row_lanes * rank + group % row_lanes;
+    for (std::size_t s = rank; s-- > 0;) {
+      RowV v = hn::Load(d, u + s * row_lanes);
+      for (std::size_t t = s + 1; t < rank; ++t) {
+        v = hn::NegMulAdd(hn::Load(d, u + t * row_lanes), hn::Set(d, lower[t * rank + s]), v);
+      }
+      hn::Store(hn::Mul(v, hn::Set(d, 1 / lower[s * rank + s])), d, u + s * row_lanes);
+    }
+  }
+}
+
+}  // namespace viete::weights::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

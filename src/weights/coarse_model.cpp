@@ -1,0 +1,118 @@
+#include "weights/coarse_model.h"
+
+#include <algorithm>
+
+#include "base/memory.h"
+#include "mesh/point_tree.h"
+#include "mesh/triangle.h"
+
+namespace viete::weights {
+
+static constexpr std::size_t vertices_per_block = 512, clusters_per_block = 64;
+
+bool needs_coarse_model(const mesh::Surface& model) {
+  return model.positions.size() > most_solved_vertices &&
+         std::ranges::any_of(model.triangles,
+                             [&](const auto& t) { return mesh::area(model.positions, t) > 0; });
+}
+
+CoarseModel::CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::WorkerPool& pool)
+    : surface_(proxy.surface()),
+      members_(proxy.members()),
+      blocks_((vertices + vertices_per_block - 1) / vertices_per_block) {
+  base::require_memory({200.0 * static_cast<double>(vertices),
+                        "a coarse copy of " + std::to_string(vertices) + " vertices takes",
+                        "use a coarser model", ""});
+  pool.for_blocks(vertices, vertices_per_block, [&](std::size_t begin, std::size_t end) {
+    Block& block = blocks_[begin / vertices_per_block];
+    std::vector<SurfaceProxy::Term> terms;
+    for (std::size_t v = begin; v < end; ++v) {
+      terms.clear();
+      if (const auto i = static_cast<std::uint32_t>(v); proxy.has_cluster(i)) proxy.terms(i, terms);
+      block.starts.push_back(static_cast<std::uint32_t>(block.terms.size()));
+      for (const auto& [cluster, factor] : terms)
+        block.terms.push_back({cluster, static_cast<float>(factor)});
+    }
+    block.starts.push_back(static_cast<std::uint32_t>(block.terms.size()));
+    block.terms.shrink_to_fit();
+  });
+}
+
+std::span<const CoarseModel::Term> CoarseModel::terms(std::size_t vertex) const {
+  const Block& block = blocks_[vertex / vertices_per_block];
+  const auto* starts = block.starts.data() + vertex % vertices_per_block;
+  return std::span(block.terms).subspan(starts[0], starts[1] - starts[0]);
+}
+
+std::size_t CoarseModel::adopt_clusters() {
+  const auto& p = surface_.positions;
+  std::vector<bool> has_area(p.size(), false);
+  for (const auto& [a, b, c] : surface_.triangles)
+    if (mesh::has_area(p[a], p[b], p[c])) has_area[a] = has_area[b] = has_area[c] = true;
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t c = 0; c < p.size(); ++c)
+    if (has_area[c]) others.push_back(c);
+  std::size_t count = 0;
+  if (others.empty() || others.size() == p.size()) return count;
+  const mesh::PointTree tree(p, std::move(others));
+  for (Block& block : blocks_) {
+    for (Term& term : block.terms) {
+      if (has_area[term.cluster]) continue;
+      term.cluster = tree.nearest(p[term.cluster]);
+      ++count;
+    }
+  }
+  return count;
+}
+
+std::vector<Vec3> CoarseModel::means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const {
+  std::vector<Vec3> means(of_vertices.empty() ? 0 : surface_.positions.size(), Vec3{0, 0, 0});
+  pool.for_blocks(means.size(), clusters_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      for (const auto v : members_.of(c)) means[c] = means[c] + of_vertices[v];
+      means[c] = (1 / static_cast<double>(members_.of(c).size())) * means[c];
+    }
+  });
+  return means;
+}
+
+Mask CoarseModel::means(const Mask& mask) const {
+  if (!mask) return nullptr;
+  std::vector<float> means;
+  for (std::size_t c = 0; c < surface_.positions.size(); ++c) {
+    float sum = 0;
+    for (const auto v : members_.of(c)) sum += (*mask)[v];
+    means.push_back(sum / static_cast<float>(members_.of(c).size()));
+  }
+  return std::make_shared<const std::vector<float>>(std::move(means));
+}
+
+void CoarseModel::move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const {
+  pool.for_blocks(positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) positions[v] = positions[v] + blended(moves, v);
+  });
+}
+
+Vec3 CoarseModel::blended(std::span<const Vec3> moves, std::size_t vertex) const {
+  Vec3 sum{0, 0, 0};
+  for (const auto& [cluster, factor] : terms(vertex))
+    sum = sum + static_cast<double>(factor) * moves[cluster];
+  return sum;
+}
+
+RigidMotion CoarseModel::blended(std::span<const RigidMotion> motions, std::size_t vertex) const {
+  if (terms(vertex).empty()) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+  RigidMotion sum{};
+  double total = 0;
+  for (const auto& [cluster, factor] : terms(vertex)) {
+    const auto& [rotation, shift] = motions[cluster];
+    const double share = factor;
+    for (std::size_t k = 0; k < 9; ++k) sum.rotation[k] += share * rotation[k];
+    for (std::size_t k = 0; k < 3; ++k) sum.shift[k] += share * shift[k];
+    total += share;
+  }
+  for (double& entry : sum.rotation) entry /= total;
+  return {sum.rotation, (1 / total) * sum.shift};
+}
+
+}  // namespace viete::weights

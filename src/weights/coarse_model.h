@@ -1,0 +1,69 @@
+// A coarse copy of a large model, for solves that would take too long with all vertices.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/worker_pool.h"
+#include "mesh/adjacency.h"
+#include "mesh/surface.h"
+#include "sym3/small_matrices.h"
+#include "weights/binding.h"
+#include "weights/surface_proxy.h"
+
+namespace viete::weights {
+
+/// Returns true if the model has more than most_solved_vertices vertices, and a triangle with an area.
+bool needs_coarse_model(const mesh::Surface& model);
+
+/// The motion x -> rotation * x + shift.
+struct RigidMotion {
+  sym3::Mat3<double> rotation;
+  Vec3 shift;
+};
+
+/// The clusters of a SurfaceProxy, at the means of their members. Interpolates motions of clusters at the
+/// model's vertices; vertices without triangles do not move. Thread-safe.
+class CoarseModel {
+public:
+  struct Term {
+    std::uint32_t cluster;
+    float factor;
+  };
+
+  /// Throws base::Error if the model has no triangles with an area. Throws base::Cancelled.
+  explicit CoarseModel(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress = nullptr)
+      : CoarseModel(SurfaceProxy(model, pool, progress), model.positions.size(), pool) {}
+  CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::WorkerPool& pool);
+
+  const mesh::Surface& surface() const { return surface_; }
+  const mesh::Adjacency& members() const { return members_; }
+  /// A value at a vertex is the sum of factor * (value at the cluster).
+  std::span<const Term> terms(std::size_t vertex) const;
+  /// Replaces clusters that have no triangle with an area: their vertices move with the nearest other
+  /// cluster. Returns the number of changed terms. Not thread-safe.
+  std::size_t adopt_clusters();
+  /// Return the mean of each cluster's members. If the argument is empty or null, the result is too.
+  std::vector<Vec3> means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const;
+  Mask means(const Mask& mask) const;
+  /// Adds the displacements of clusters, `moves`, to the positions of all vertices.
+  void move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const;
+  /// Returns the mean of the clusters' motions at a vertex. The mean of rotations is not orthogonal.
+  RigidMotion blended(std::span<const RigidMotion> motions, std::size_t vertex) const;
+  /// Returns the sum of the clusters' displacements at a vertex.
+  Vec3 blended(std::span<const Vec3> moves, std::size_t vertex) const;
+
+private:
+  struct Block {
+    std::vector<std::uint32_t> starts;  // start of the terms of each vertex, and the end
+    std::vector<Term> terms;
+  };
+
+  mesh::Surface surface_;
+  mesh::Adjacency members_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace viete::weights
