@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "base/worker_pool.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "weights/bind.h"
 #include "weights/tiled_binding.h"
 
@@ -27,17 +27,17 @@ std::shared_ptr<const weights::Binding> bind_draft(const std::shared_ptr<const m
 }  // namespace
 
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const pose::Cage> cage,
-           const pose::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress,
+           const pose::Deformer& deformer, sym3::Method method, const Bound& known, base::Progress& progress,
            const std::shared_ptr<const mesh::Draft>& draft) {
   using pose::EngineKind;
-  const pose::Weighting& weighting = scheme.weighting;
+  const pose::Weighting& weighting = deformer.weighting;
   base::WorkerPool pool;
   const bool same = known.binding && known.model == model && known.cage == cage;
   const bool shared = same && known.binding->weighting == weighting;
   Bound bound{model, cage, shared ? known.binding : nullptr, same ? known.stitching : nullptr,
               shared ? known.draft : nullptr};
   auto& binding = bound.binding;
-  const bool staged = pose::engine_for(scheme, method) == EngineKind::staged;
+  const bool staged = pose::engine_for(deformer, method) == EngineKind::staged;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
     binding = std::make_shared<const weights::Binding>(
@@ -49,10 +49,10 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const pos
         weights::bind(model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
   }
   if (draft && !bound.draft) bound.draft = bind_draft(draft, *cage, *binding->tiles, pool, progress);
-  if (scheme.stitched() && !bound.stitches(scheme)) {
+  if (deformer.stitched() && !bound.stitches(deformer)) {
     progress.section(progress.done(), 1);
     bound.stitching =
-        std::make_shared<const deform::Stitching>(deform::stitch(*model, *cage, pool, scheme, &progress));
+        std::make_shared<const deform::Stitching>(deform::stitch(*model, *cage, pool, deformer, &progress));
   }
   base::release_freed_memory();
   return bound;

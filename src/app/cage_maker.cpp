@@ -20,7 +20,7 @@ std::string text_of(const cages::Wish& wish) {
 
 }  // namespace
 
-CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, const pose::Scheme& scheme,
+CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, const pose::Deformer& deformer,
                                 sym3::Method method, base::Progress& progress) {
   Made all;
   const bool is_preview = wish.effort == cages::Effort::preview;
@@ -36,7 +36,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
   all.cage = std::make_shared<const pose::Cage>(pose::make_cage(*all.surface.surface));
   if (is_preview) return all;
   progress.section(0.75, 1);
-  all.bound = app::bind(workshop.model, all.cage, scheme, method, {}, progress);
+  all.bound = app::bind(workshop.model, all.cage, deformer, method, {}, progress);
   return all;
 }
 
@@ -89,8 +89,8 @@ void CageMaker::start(const workspace::Workspace& w, cages::Effort effort) {
   wish.effort = effort;
   if (!workshop_ || workshop_->model != document.model().surface)
     workshop_ = std::make_shared<Workshop>(Workshop{document.model().surface});
-  job_.start([workshop = workshop_, wish, scheme = document.scheme(), method = document.method()](
-                 base::Progress& progress) { return make(*workshop, wish, scheme, method, progress); },
+  job_.start([workshop = workshop_, wish, deformer = document.deformer(), method = document.method()](
+                 base::Progress& progress) { return make(*workshop, wish, deformer, method, progress); },
              text_of(wish));
 }
 

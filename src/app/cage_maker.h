@@ -47,7 +47,7 @@ private:
   void take(workspace::Workspace& workspace, Made&& made);
   void close(workspace::Workspace& workspace);
   bool is_wished(const workspace::Workspace& workspace) const { return asked_ == workspace.making.wish; }
-  static Made make(Workshop& workshop, const cages::Wish& wish, const pose::Scheme& scheme,
+  static Made make(Workshop& workshop, const cages::Wish& wish, const pose::Deformer& deformer,
                    sym3::Method method, base::Progress& progress);
 
   base::BackgroundJob<Made> job_;

@@ -22,7 +22,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "deform/deformer.h"
+#include "deform/frame_deformer.h"
 #include "files/export.h"
 #include "formats/printed.h"
 #include "formats/source.h"
@@ -98,7 +98,7 @@ void note_rounding(std::span<const float> floats, double diagonal, double& noted
   if (auto note = formats::rounding_note(noted, diagonal); !note.empty()) print_notes({std::move(note)});
 }
 
-void write_positions(const deform::Deformer& deformer, std::size_t number, std::vector<float>& floats) {
+void write_positions(const deform::FrameDeformer& deformer, std::size_t number, std::vector<float>& floats) {
   const auto vertices = deformer.vertices();
   const mesh::Vec3 origin = deformer.origin();
   floats.clear();
@@ -119,9 +119,9 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
 // from the previous pose. Throws base::Error for an invalid or incomplete pose, and if writing fails.
 void stream_poses(const files::Export& what) {
   base::Progress progress;
-  const Bound bound = app::bind(what.model, what.cage, what.scheme, what.method, {}, progress);
+  const Bound bound = app::bind(what.model, what.cage, what.deformer, what.method, {}, progress);
   base::WorkerPool pool;
-  deform::Deformer deformer(bound.cage, bound.binding, what.scheme, pool, bound.stitching);
+  deform::FrameDeformer deformer(bound.cage, bound.binding, what.deformer, pool, bound.stitching);
   deformer.set_mask(what.mask), deformer.set_shape(what.shape), deformer.set_probes(what.probes);
   const std::size_t vertices = what.cage->surface.positions.size();
   std::vector<float> floats;

@@ -27,7 +27,7 @@ public:
   FrameInDouble(const FrameInput& frame, base::Progress& progress)
       : frame_(frame),
         progress_(progress),
-        deformer_(*frame.bound.model, frame.bound.cage, frame.scheme, frame.method, pool_,
+        deformer_(*frame.bound.model, frame.bound.cage, frame.deformer, frame.method, pool_,
                   deform::ExactDeformer::Weights::kept, frame.mask, &progress) {}
 
   std::vector<mesh::Point> positions(const pose::Pose& pose, const pose::Probes& probes) {

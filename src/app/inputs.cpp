@@ -28,11 +28,12 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--pose", inputs.pose, "Posed cage, with the vertices and faces of the cage");
 }
 
-void add_scheme_options(CLI::App& app, document::RequestedSettings& settings) {
-  auto* way = add_choice<pose::Way>(app, "--deformer", "Deformer, see 'viete help deformers'", settings.way);
-  way->default_str("smooth");
+void add_deformer_options(CLI::App& app, document::RequestedSettings& settings) {
+  auto* preset =
+      add_choice<pose::Preset>(app, "--deformer", "Deformer, see 'viete help deformers'", settings.preset);
+  preset->default_str("smooth");
   add_choice_options(app, settings.choice);
-  for (const char* other : {"--weights", "--blend"}) way->excludes(app.get_option(other));
+  for (const char* other : {"--weights", "--blend"}) preset->excludes(app.get_option(other));
   for (const char* name : {"radius", "rotation", "stretch"}) add_number_option(app, name, settings);
   add_arap_options(app, settings);
 }
@@ -42,7 +43,7 @@ void add_scheme_options(CLI::App& app, document::RequestedSettings& settings) {
 void add_input_options(CLI::App& app, Inputs& inputs) {
   add_files(app, inputs);
   add_method_option(app, [&inputs](sym3::Method method) { inputs.settings.method = method; });
-  add_scheme_options(app, inputs.settings);
+  add_deformer_options(app, inputs.settings);
 }
 
 CLI::Option* add_output_options(CLI::App& app, Output& output, const std::string& text) {

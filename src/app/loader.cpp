@@ -41,8 +41,8 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
     loaded.shading = shading_of(document.model(), moving);
   }
   if (!document.has_cage()) return loaded;
-  progress.step(document::binding_plan(document, document.scheme().weighting));
-  loaded.bound = app::bind(document.model().surface, document.cage(), document.scheme(), document.method(),
+  progress.step(document::binding_plan(document, document.deformer().weighting));
+  loaded.bound = app::bind(document.model().surface, document.cage(), document.deformer(), document.method(),
                            {}, progress, loaded.shading.draft);
   return loaded;
 }

@@ -8,7 +8,7 @@
 #include "base/clock.h"
 #include "base/median.h"
 #include "base/worker_pool.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "sym3/exp.h"
 #include "sym3/reference.h"
 
@@ -28,8 +28,8 @@ bool is_in_motion(const workspace::Workspace& w) {
 
 MethodMeasuring::Key MethodMeasuring::key_of(const workspace::Workspace& w, const LiveModel& model) {
   const document::Revisions& now = w.document.revisions();
-  Key key{now.surfaces, now.cage, model.deformer() ? model.deformer()->scheme() : pose::Scheme()};
-  key.scheme.amounts = {};
+  Key key{now.surfaces, now.cage, model.deformer() ? model.deformer()->deformer() : pose::Deformer()};
+  key.deformer.amounts = {};
   return key;
 }
 
@@ -56,8 +56,8 @@ double MethodMeasuring::due_in(const workspace::Workspace& w, const LiveModel& m
   return std::min(sampling_in(w, model), timing_in(w, model));
 }
 
-// If model, cage or a deformer setting other than Scheme::amounts has changed, discards all measurements. If
-// only the engine has changed, discards only the sampled error.
+// If model, cage or a deformer setting other than Deformer::amounts has changed, discards all measurements.
+// If only the engine has changed, discards only the sampled error.
 bool MethodMeasuring::discard_old(workspace::Workspace& w, const LiveModel& model) {
   const auto engine = model.deformer() ? model.deformer()->ran() : std::nullopt;
   const Key key = key_of(w, model);
@@ -134,7 +134,7 @@ void MethodMeasuring::show_drawn_times(workspace::Workspace& w, const LiveModel&
   const auto& methods = analysis::compared_methods;
   auto running = static_cast<std::size_t>(std::ranges::find(methods, frame->method) - methods.begin());
   if (engine_ == pose::EngineKind::fused) running = workspace::MethodTimes::fused;
-  w.frame.method_times.links[running] = frame->links;
+  w.frame.method_times.stages[running] = frame->stages;
   w.frame.method_times.busy = frame->busy;
 }
 
@@ -161,7 +161,7 @@ constexpr double most_weight_bytes = 256.0 * (1 << 20);
 bool lacks_small_weights(const FrameInput& timed) {
   const weights::Binding& binding = *timed.bound.binding;
   return binding.weights.empty() &&
-         pose::engine_for(timed.scheme, sym3::Method::diag) == pose::EngineKind::staged &&
+         pose::engine_for(timed.deformer, sym3::Method::diag) == pose::EngineKind::staged &&
          8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
              most_weight_bytes;
 }
@@ -174,7 +174,7 @@ bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].empty()) continue;
     const workspace::FrameTimes median = workspace::median_of(frames[i]);
-    times.links[i] = median.links;
+    times.stages[i] = median.stages;
     times.busy |= median.busy;
   }
   return times.busy;
@@ -184,12 +184,12 @@ bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
 
 MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   if (lacks_small_weights(timed))
-    timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
+    timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.deformer, sym3::Method::diag,
                             timed.bound, progress);
   base::WorkerPool pool;
   const Bound& bound = timed.bound;
-  deform::Deformer deformer(bound.cage, bound.binding, timed.scheme, pool,
-                            bound.stitches(timed.scheme) ? bound.stitching : nullptr);
+  deform::FrameDeformer deformer(bound.cage, bound.binding, timed.deformer, pool,
+                                 bound.stitches(timed.deformer) ? bound.stitching : nullptr);
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
@@ -206,7 +206,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
       if (!engine || fused != (engine == pose::EngineKind::fused)) continue;
       const auto cost = pool.cost();
       deformer.deform(timed.pose, method);
-      if (round > 0) frames[i].push_back({.links = deformer.times(), .cost = pool.cost() - cost});
+      if (round > 0) frames[i].push_back({.stages = deformer.times(), .cost = pool.cost() - cost});
       if (fused && round == 0) result.times.fused_error = deformer.sampled_error();
     }
     if (round == timed_rounds && take_medians(frames, result.times)) rounds = busy_rounds;

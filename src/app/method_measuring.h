@@ -55,7 +55,7 @@ private:
   // If one of these members changes, measurements are discarded.
   struct Key {
     document::Revision surfaces = 0, cage = 0;
-    pose::Scheme scheme;
+    pose::Deformer deformer;
     friend bool operator==(const Key&, const Key&) = default;
   };
   static Key key_of(const workspace::Workspace& workspace, const LiveModel& model);

@@ -66,23 +66,23 @@ document::ViewOptions view_of(const PictureOptions& options, const std::optional
 // other settings come from the document.
 void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
-  std::vector<document::SideWay> views;
+  std::vector<document::SideView> views;
   for (const std::string& word : words) {
-    document::SideWay view{w.document.scheme(), w.document.method(), w.view.options.field};
+    document::SideView view{w.document.deformer(), w.document.method(), w.view.options.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "linear")
       view.other_blending = (word == "linear") != w.document.timeline().linear;
-    if (const auto way = base::value_of_word<pose::Way>(word))
-      view.scheme = pose::scheme_of(*way, w.document.scheme());
+    if (const auto preset = base::value_of_word<pose::Preset>(word))
+      view.deformer = pose::deformer_of(*preset, w.document.deformer());
     views.push_back(std::move(view));
   }
   if (views[0].other_blending) {
     document::set_linear(w.document, w.playback.vectors, !w.document.timeline().linear);
-    for (document::SideWay& view : views) view.other_blending = !view.other_blending;
+    for (document::SideView& view : views) view.other_blending = !view.other_blending;
   }
-  w.document.put_scheme(views[0].scheme);
+  w.document.put_deformer(views[0].deformer);
   w.document.put_method(views[0].method);
-  workspace::put_ways(w.view.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
+  workspace::put_side_views(w.view.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
   w.view.viewport = workspace::viewport_of(w.view.split, w.view.viewport, 0);
 }
 
@@ -170,7 +170,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   auto* map = command.add_option("--map", options.map, "Colour map, see 'viete help deformers'");
   one_of(map, maps)->default_str("none");
   std::vector<std::string> compared;
-  for (const base::Choice& way : choices(pose::Way{})) compared.emplace_back(way.word);
+  for (const base::Choice& preset : choices(pose::Preset{})) compared.emplace_back(preset.word);
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "linear"});
   auto* compare = command.add_option("--compare", options.compare,

@@ -102,7 +102,7 @@ std::string deformers_help() {
     for (const base::Choice& value : values)
       text += help_line(std::string(value.word), std::string(value.hint));
   };
-  list("Deformers (--deformer)", choices(pose::Way{}));
+  list("Deformers (--deformer)", choices(pose::Preset{}));
   list("Weights (--weights)", choices(pose::Weights{}));
   list("Blends (--blend)", choices(pose::Blend{}));
   list("Falloffs of probes", choices(pose::Falloff{}));
@@ -114,7 +114,7 @@ std::string deformers_help() {
   return text + "\nThe manual explains all terms: viete manual glossary";
 }
 
-void add_number_option(CLI::App& app, std::string_view name, pose::AskedScheme& asked) {
+void add_number_option(CLI::App& app, std::string_view name, pose::AskedDeformer& asked) {
   const pose::NumberEntry& number = pose::number(name);
   const auto take = [&](double percent) { asked.*number.asked = percent / 100; };
   auto* option = app.add_option_function<double>("--" + std::string(name), take, std::string(number.hint));
@@ -123,7 +123,7 @@ void add_number_option(CLI::App& app, std::string_view name, pose::AskedScheme& 
       ->default_str(number_text(number.percent({})));
 }
 
-void add_arap_options(CLI::App& app, pose::AskedScheme& asked) {
+void add_arap_options(CLI::App& app, pose::AskedDeformer& asked) {
   app.add_flag("--arap", asked.arap, "Solve for a mesh that is as rigid as possible (ARAP)");
   auto* number = app.add_option_function<int>(
       "--iterations", [&asked](int n) { asked.iterations = n; }, "ARAP: number of solves per frame");

@@ -17,7 +17,7 @@
 #include "document/document.h"
 #include "files/output.h"
 #include "formats/text_writer.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "sym3/exp.h"
 
 namespace viete::app {
@@ -47,9 +47,9 @@ files::Force force_of(bool given);
 
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
 /// Adds the option of a deformer setting, for example --radius PERCENT.
-void add_number_option(CLI::App& app, std::string_view name, pose::AskedScheme& asked);
+void add_number_option(CLI::App& app, std::string_view name, pose::AskedDeformer& asked);
 /// Adds --arap, --iterations NUMBER, --attach PERCENT and --hold PERCENT.
-void add_arap_options(CLI::App& app, pose::AskedScheme& asked);
+void add_arap_options(CLI::App& app, pose::AskedDeformer& asked);
 
 /// Adds --weights WORD and --blend WORD.
 void add_choice_options(CLI::App& app, pose::PartialChoice& choice);

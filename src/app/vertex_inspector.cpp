@@ -38,12 +38,12 @@ std::string words_of(Method method, const sym3::Route& route) {
   return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
 }
 
-std::vector<workspace::VertexView::Way> ways_of(const sym3::Sym3<double>& sum) {
-  std::vector<workspace::VertexView::Way> ways;
+std::vector<workspace::VertexView::Evaluation> evaluations_of(const sym3::Sym3<double>& sum) {
+  std::vector<workspace::VertexView::Evaluation> evaluations;
   for (const Method method : analysis::compared_methods)
-    ways.push_back({method, words_of(method, sym3::route(sum, method)),
-                    sym3::relative_error(sym3::exp(sum, method), sum)});
-  return ways;
+    evaluations.push_back({method, words_of(method, sym3::route(sum, method)),
+                           sym3::relative_error(sym3::exp(sum, method), sum)});
+  return evaluations;
 }
 
 workspace::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
@@ -61,7 +61,7 @@ workspace::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum
   if (!sum.has_logs) return view;
   view.map = map_of(sum.stretch, sum.turn);
   view.degrees = mesh::norm(sum.turn) * 180 / std::numbers::pi;
-  view.ways = ways_of(sum.stretch);
+  view.evaluations = evaluations_of(sum.stretch);
   return view;
 }
 
@@ -72,7 +72,7 @@ bool VertexInspector::follow(workspace::Workspace& w, const LiveModel& model) {
   shown_ = key_of(w, model);
   const auto vertex = shown_.vertex;
   w.view.vertex = {};
-  const deform::Deformer* deformer = model.deformer();
+  const deform::FrameDeformer* deformer = model.deformer();
   const mesh::Surface& surface = *w.document.model().surface;
   if (!vertex || *vertex >= surface.positions.size()) return true;
   w.view.vertex.vertex = vertex;

@@ -23,7 +23,7 @@ private:
   struct Key {
     std::optional<std::uint32_t> vertex;
     unsigned long frame = 0;
-    const deform::Deformer* deformer = nullptr;
+    const deform::FrameDeformer* deformer = nullptr;
     friend bool operator==(const Key&, const Key&) = default;
   };
   static Key key_of(const workspace::Workspace& w, const LiveModel& model) {

@@ -47,15 +47,15 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_
     binder_.cancel();
     given_up_.reset();
     const bool served = deformer_ && document.has_cage();
-    if (served && deformer_->scheme().weighting != document.scheme().weighting) start_binding(document);
+    if (served && deformer_->deformer().weighting != document.deformer().weighting) start_binding(document);
   }
   // Binds if a cage, probe or shape can move the model. While a cage is being generated, waits.
   if (!deformer_ && !binder_.running() && !w.jobs.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
     start_binding(document);
   // If only the blend has changed, the weights stay valid.
-  const pose::Scheme scheme = scheme_of(document);
-  if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
+  const pose::Deformer deformer = deformer_of(document);
+  if (deformer_ && deformer_->deformer().weighting == deformer.weighting) follow_blend(deformer);
   // If the staged engine's weights, the stitching or the draft are missing, starts to compute the missing
   // data. Until then, the method is `fast`, without stitching.
   const bool lacks_draft = !bound_.draft && draft_of(document) && undrafted_ != bound_.binding;
@@ -73,17 +73,17 @@ std::shared_ptr<const pose::Cage> LiveModel::cage_of(const document::Document& d
   return no_cage_;
 }
 
-pose::Scheme LiveModel::scheme_of(const document::Document& document) {
-  return document.has_cage() ? document.scheme() : pose::no_motion();
+pose::Deformer LiveModel::deformer_of(const document::Document& document) {
+  return document.has_cage() ? document.deformer() : pose::no_motion();
 }
 
-void LiveModel::follow_blend(const pose::Scheme& scheme) {
-  if (deformer_->scheme() == scheme) return;
-  pose::Scheme bound = deformer_->scheme();
-  bound.amounts = scheme.amounts;
-  if (bound != scheme) return renew_deformer(scheme);
-  deformer_->set_amounts(scheme.amounts);
-  if (draft_) draft_->set_amounts(scheme.amounts);
+void LiveModel::follow_blend(const pose::Deformer& deformer) {
+  if (deformer_->deformer() == deformer) return;
+  pose::Deformer bound = deformer_->deformer();
+  bound.amounts = deformer.amounts;
+  if (bound != deformer) return renew_deformer(deformer);
+  deformer_->set_amounts(deformer.amounts);
+  if (draft_) draft_->set_amounts(deformer.amounts);
 }
 
 // Discards all data computed from the old surfaces.
@@ -100,8 +100,8 @@ void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
 }
 
 void LiveModel::start_binding(const document::Document& document) {
-  bind_for({scheme_of(document), document.method()}, document.model().surface, cage_of(document), bound_,
-           document.has_cage() ? document::binding_plan(document, document.scheme().weighting)
+  bind_for({deformer_of(document), document.method()}, document.model().surface, cage_of(document), bound_,
+           document.has_cage() ? document::binding_plan(document, document.deformer().weighting)
                                : "Preparing the model for probes",
            draft_of(document));
 }
@@ -116,7 +116,7 @@ void LiveModel::take_binding(workspace::Workspace& w, bool wait) {
 constexpr workspace::Concern of_cage{"bind", workspace::Scope::cage};
 
 std::shared_ptr<const mesh::Draft> LiveModel::draft_of(const document::Document& document) {
-  const bool moves = document.has_cage() && !document.scheme().stitched();
+  const bool moves = document.has_cage() && !document.deformer().stitched();
   return moves ? model_draft_ : nullptr;
 }
 
@@ -124,17 +124,17 @@ void LiveModel::install(workspace::Workspace& w, Bound bound) {
   for (const auto& warning : bound.binding->warnings) w.messages.warn(warning, of_cage);
   w.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
-  renew_deformer(scheme_of(w.document));
+  renew_deformer(deformer_of(w.document));
 }
 
 void LiveModel::share(const std::shared_ptr<const weights::Binding>& binding) {
   if (bound_.binding && bound_.binding->tiles == binding->tiles) bound_.binding = binding;
 }
 
-void LiveModel::renew_deformer(const pose::Scheme& scheme) {
-  make_deformer(scheme, pool_);
-  draft_ =
-      bound_.draft ? std::make_unique<deform::Deformer>(bound_.cage, bound_.draft, scheme, pool_) : nullptr;
+void LiveModel::renew_deformer(const pose::Deformer& deformer) {
+  make_deformer(deformer, pool_);
+  draft_ = bound_.draft ? std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.draft, deformer, pool_)
+                        : nullptr;
   derived_.reset(), drafted_.reset();
   unprepared_ = true;
 }
@@ -145,9 +145,9 @@ void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, wo
   document::Document& document = w.document;
   if (!deformer_) given_up_ = document.revisions().pose;  // binds again after the next change of the pose
   if (deformer_ && document.has_cage()) {
-    pose::Scheme served = deformer_->scheme();
+    pose::Deformer served = deformer_->deformer();
     if (!bound_.stitches(served)) served.iterations = 0;
-    document::revert_scheme(document, served);
+    document::revert_deformer(document, served);
     weights_ = document.revisions().weights;  // prevents another binding
     if (!deformer_->engine(document.method())) document.put_method(sym3::Method::fast);
   }
@@ -179,7 +179,7 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
     times.cost = pool_.cost() - cost;
     take_carried(document);
     if (document.has_cage()) workspace::take_report(w, deformer_->state().report());
-    times.links = deformer_->times();
+    times.stages = deformer_->times();
     derived_ = derived_of(document);
     prepared_ = std::exchange(unprepared_, false);
     if (prepared_) derived_.reset();
@@ -265,12 +265,12 @@ document::SharedPose other_pose(workspace::Workspace& w) {
 }  // namespace
 
 SideModel::Made SideModel::made_of(const workspace::SplitView& side, const workspace::Workspace& w) {
-  const Need need{w.document.has_cage() ? side.scheme : pose::no_motion(), side.method};
+  const Need need{w.document.has_cage() ? side.deformer : pose::no_motion(), side.method};
   return {need, w.document.revisions().pose, w.document.mask(), side.other_blending};
 }
 
 bool SideModel::serves(const Need& need) const {
-  return deformer_ && deformer_->scheme() == need.scheme && deformer_->engine(need.method);
+  return deformer_ && deformer_->deformer() == need.deformer && deformer_->engine(need.method);
 }
 
 void SideModel::forget() {
@@ -306,15 +306,15 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
     side.problem = result->problem;
     if (result->value) {
       bound_ = *std::move(result->value);
-      make_deformer(asked_.scheme, pool);
+      make_deformer(asked_.deformer, pool);
       made_.reset();
     }
     if (asked_ == need && !serves(need)) refused_ = need;  // binding has failed: does not try again
   }
   side.binding = binder_.running();
   if (changes_rest(w) || !lacks(wanted, first)) return false;
-  const bool same_weights = bound_.binding->weighting == need.scheme.weighting;
-  if (!serves(need) && same_weights) make_deformer(need.scheme, pool);
+  const bool same_weights = bound_.binding->weighting == need.deformer.weighting;
+  if (!serves(need) && same_weights) make_deformer(need.deformer, pool);
   if (!serves(need)) {
     deformer_.reset(), made_.reset();
     asked_ = need;
@@ -331,7 +331,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   run(w.document, pose, other ? other->shape : w.document.shape(), side.method);
   if (!side.other_blending) drag_.after(*deformer_, drag);  // the other blending can move the whole cage
   side.stats.add({.when = base::wall_seconds(),
-                  .links = deformer_->times(),
+                  .stages = deformer_->times(),
                   .frame = watch.lap_ms(),
                   .cost = pool.cost() - cost});
   made_ = wanted;
@@ -375,7 +375,7 @@ bool SideViews::measure(workspace::Workspace& w) {
   if (measuring_in(w) > 0) return false;
   for (std::size_t i = 0; i < w.view.split.sides().size(); ++i) {
     if (!lacks_error(i)) continue;
-    const deform::Deformer* deformer = models_[i].deformer();
+    const deform::FrameDeformer* deformer = models_[i].deformer();
     measured_[i] = models_[i].frames();
     workspace::SplitView& side = w.view.split.sides()[i];
     side.fused_error = deformer->sampled_error();

@@ -10,7 +10,7 @@
 #include "app/bound.h"
 #include "base/background.h"
 #include "base/worker_pool.h"
-#include "deform/deformer.h"
+#include "deform/frame_deformer.h"
 #include "document/document.h"
 #include "mesh/adjacency.h"
 #include "pose/probe.h"
@@ -32,14 +32,14 @@ public:
 
   /// Call before a frame. Returns true if a drag has ended, or if the drag now moves other vertices. If true,
   /// the next frame must be computed completely.
-  bool before(deform::Deformer& deformer, const Drag& drag) {
+  bool before(deform::FrameDeformer& deformer, const Drag& drag) {
     if (!dragging_ || (drag && drag->softened() == softened_)) return false;
     deformer.end_drag();
     dragging_ = false;
     return true;
   }
   /// Call after a frame. Begins a drag in the deformer if the deformer has computed a frame.
-  void after(deform::Deformer& deformer, const Drag& drag) {
+  void after(deform::FrameDeformer& deformer, const Drag& drag) {
     if (drag && !dragging_ && deformer.ran() && !drag->vertices().empty())
       deformer.begin_drag(drag->vertices());
     dragging_ = drag.has_value();
@@ -54,7 +54,7 @@ private:
 /// A copy of a frame's input, for background work.
 struct FrameInput {
   Bound bound;
-  pose::Scheme scheme;
+  pose::Deformer deformer;
   sym3::Method method = sym3::Method::fast;
   pose::Pose pose;
   weights::Mask mask;
@@ -69,14 +69,14 @@ public:
   bool binding() const { return binder_.running(); }
   bool has_result() const { return binder_.has_result(); }
   /// May be null.
-  const deform::Deformer* deformer() const { return deformer_.get(); }
+  const deform::FrameDeformer* deformer() const { return deformer_.get(); }
   const Bound& bound() const { return bound_; }
   /// True if the deformer has computed a frame.
   bool ran() const { return deformer_ && deformer_->ran(); }
   /// The input of a frame with this method. deformer() must not be null.
   FrameInput input(const document::Document& document, sym3::Method method) const {
     return {bound_,
-            deformer_->scheme(),
+            deformer_->deformer(),
             method,
             document.has_cage() ? document.pose() : pose::rest_pose(*bound_.cage),
             deformer_->mask(),
@@ -91,7 +91,7 @@ public:
 protected:
   // The input of a binding.
   struct Need {
-    pose::Scheme scheme;
+    pose::Deformer deformer;
     sym3::Method method = sym3::Method::fast;
     friend bool operator==(const Need&, const Need&) = default;
   };
@@ -100,13 +100,13 @@ protected:
                 std::shared_ptr<const mesh::Draft> draft = nullptr) {
     binder_.start(
         [=](base::Progress& progress) {
-          return app::bind(model, cage, need.scheme, need.method, known, progress, draft);
+          return app::bind(model, cage, need.deformer, need.method, known, progress, draft);
         },
         std::move(name));
   }
-  void make_deformer(const pose::Scheme& scheme, base::WorkerPool& pool) {
-    deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool,
-                                                   bound_.stitches(scheme) ? bound_.stitching : nullptr);
+  void make_deformer(const pose::Deformer& deformer, base::WorkerPool& pool) {
+    deformer_ = std::make_unique<deform::FrameDeformer>(
+        bound_.cage, bound_.binding, deformer, pool, bound_.stitches(deformer) ? bound_.stitching : nullptr);
     drag_ = {};
   }
   void run(const document::Document& document, const pose::Pose& pose, const weights::SharedShape& shape,
@@ -121,7 +121,7 @@ protected:
 
   base::BackgroundJob<Bound> binder_;
   Bound bound_;  // the deformer's binding; empty if deformer_ is null
-  std::unique_ptr<deform::Deformer> deformer_;
+  std::unique_ptr<deform::FrameDeformer> deformer_;
   DragFollower drag_;
 
 private:
@@ -158,7 +158,9 @@ public:
   /// model, and the next deform() is due.
   bool deform_draft(workspace::Workspace& workspace, workspace::FrameTimes& times);
   /// The deformer of the draft if the draft was deformed since the last call, otherwise null.
-  const deform::Deformer* take_draft() { return std::exchange(draft_news_, false) ? draft_.get() : nullptr; }
+  const deform::FrameDeformer* take_draft() {
+    return std::exchange(draft_news_, false) ? draft_.get() : nullptr;
+  }
 
   /// True if the draft shows the current pose, but the model does not.
   bool shows_draft(const document::Document& document) const;
@@ -174,7 +176,7 @@ public:
   /// If `binding` is the current binding plus weights for the staged engine, later deformers use `binding`.
   void share(const std::shared_ptr<const weights::Binding>& binding);
   /// True if the last frame computed exponentials.
-  bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }
+  bool takes_exponentials() const { return ran() && deformer_->deformer().exponential(); }
   /// The position of a vertex of the drawn model, in the file's units.
   mesh::Point vertex(const document::Document& document, std::size_t index) const;
 
@@ -185,12 +187,12 @@ private:
   void install(workspace::Workspace& workspace, Bound bound);
   std::shared_ptr<const pose::Cage> cage_of(const document::Document& document);
   std::shared_ptr<const mesh::Draft> draft_of(const document::Document& document);
-  static pose::Scheme scheme_of(const document::Document& document);
+  static pose::Deformer deformer_of(const document::Document& document);
   void take_carried(document::Document& document);
   document::Carried carried_pin(const document::Document& document, const pose::Probe& probe);
   sym3::Mat3<double> map_at(const document::Document& document, std::uint32_t vertex) const;
-  void follow_blend(const pose::Scheme& scheme);
-  void renew_deformer(const pose::Scheme& scheme);
+  void follow_blend(const pose::Deformer& deformer);
+  void renew_deformer(const pose::Deformer& deformer);
   bool deforms(const document::Document& document) const;
 
   base::WorkerPool pool_;
@@ -207,7 +209,7 @@ private:
   }
   // The input of the last frame, and of the draft. If nullopt, the next deform() computes a frame.
   std::optional<Derived> derived_, drafted_;
-  std::unique_ptr<deform::Deformer> draft_;  // null without a draft
+  std::unique_ptr<deform::FrameDeformer> draft_;  // null without a draft
   bool draft_news_ = false;
   std::shared_ptr<const weights::Binding> undrafted_;  // binding whose draft was given up
   mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs them

@@ -362,7 +362,7 @@ const ViewModel& Viewer::model_of(std::size_t view) const {
 
 FieldSubject Viewer::field_subject(std::size_t view) const {
   return {workspace_.document, workspace::shown_field(workspace_, view),
-          model_of(view),      workspace::shown_way(workspace_, view).method,
+          model_of(view),      workspace::view_settings(workspace_, view).method,
           posed_in(view),      posed_in(0)};
 }
 
@@ -442,7 +442,7 @@ void Viewer::upload() {
     if ((news || switched) && !posed.vertices.empty())
       renderer_.set_model(view, posed.vertices, posed.origin);
   }
-  if (const deform::Deformer* draft = model_.take_draft())
+  if (const deform::FrameDeformer* draft = model_.take_draft())
     renderer_.set_draft(draft->vertices(), draft->origin());
   renderer_.set_colors(workspace_);
   times_.upload = watch.lap_ms();

@@ -136,7 +136,7 @@ public:
   render::Image picture();
   ViewDrawing drawing() const;
   /// The deformer of the first view, or null.
-  const deform::Deformer* deformer() const { return model_.deformer(); }
+  const deform::FrameDeformer* deformer() const { return model_.deformer(); }
 
 private:
   std::vector<Activity> list_of_activities();

@@ -202,7 +202,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::si
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
   part.surface.paint = paint_of(w.view.options.shading, file_has_looks_);
-  part.cage = !workspace::shown_way(w, view).other_blending;
+  part.cage = !workspace::view_settings(w, view).other_blending;
   models_[view]->span(part.surface, w.view.split.views[view].shown);
   return part;
 }

@@ -17,7 +17,7 @@ std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base:
   return measure_frames(options, progress);
 }
 
-ModeComparison ways_of(const Figures& figures, const document::Document& opened, base::Progress& progress) {
+ModeComparison deformers_of(const Figures& figures, const document::Document& opened, base::Progress& progress) {
   const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
   return measure_modes(*opened.model().surface, opened.cage(), figures.poses, settings, progress);
 }
@@ -45,7 +45,7 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
                {25, [&] { figures.accuracy_in_float = measure_accuracy(sizes.samples, true, progress); }},
                {7, [&] { figures.deformation = frames_of(figures, true, progress); }},
                {28, [&] { figures.frames = frames_of(figures, false, progress); }},
-               {25, [&] { figures.ways = ways_of(figures, opened, progress); }},
+               {25, [&] { figures.deformers = deformers_of(figures, opened, progress); }},
                {5, [&] { figures.shapes = measure_halfway(shapes, progress); }}};
   double all = 0, done = 0;
   for (const auto& work : works) all += work.seconds;
@@ -63,7 +63,7 @@ nlohmann::json to_json(const Figures& f) {
           {"accuracy", {{"double", to_json(f.accuracy)}, {"float", to_json(f.accuracy_in_float)}}},
           {"deformation", to_json(f.deformation)},
           {"frames", to_json(f.frames)},
-          {"ways", to_json(f.ways, f.poses)},
+          {"deformers", to_json(f.deformers, f.poses)},
           {"shapes", f.shapes.rows}};
 }
 

@@ -41,7 +41,7 @@ struct Figures {
   std::vector<FrameTime> deformation;  ///< frames of the model in its cage
   std::vector<FrameTime> frames;       ///< frames in generated cages, for several numbers of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;  ///< results of the named deformers
+  ModeComparison deformers;  ///< results of the named deformers
   Halfway shapes;
 };
 

@@ -30,7 +30,7 @@ const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& n
 namespace {
 
 using namespace frame_names;
-using pose::Link;
+using pose::Stage;
 using sym3::Method;
 
 /// A limit `bar` for the ratio: time of `over`, divided by the time of `under`.
@@ -66,11 +66,11 @@ struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<pose::LinkTimes()> links;  ///< times of the stages (pose::Link) of `run`; may be empty
-  std::function<double()> error;           ///< distance from the staged frame in diagonals; may be empty
-  std::size_t bytes = 0;                   ///< number of bytes that one frame reads
+  std::function<pose::StageTimes()> stages;  ///< times of the stages (pose::Stage) of `run`; may be empty
+  std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
+  std::size_t bytes = 0;                     ///< number of bytes that one frame reads
   std::vector<double> cpu_ms{}, wall_ms{};
-  std::vector<pose::LinkTimes> link_ms{};
+  std::vector<pose::StageTimes> stage_ms{};
 };
 
 // Fills the caches as in a drag. A long frame overwrites the caches, so a long frame runs only once.
@@ -90,15 +90,15 @@ void time_once(Case& c) {
   c.wall_ms.push_back(1e3 * (base::wall_seconds() - wall));
   const auto now = c.pool->cost();
   c.cpu_ms.push_back(1e3 * (seconds - (now.caller - cost.caller) + (now.longest - cost.longest)));
-  if (c.links) c.link_ms.push_back(c.links());
+  if (c.stages) c.stage_ms.push_back(c.stages());
 }
 
-pose::LinkTimes link_medians(const Case& c) {
-  pose::LinkTimes medians;
-  for (std::size_t link = 0; c.links && link < pose::link_count; ++link) {
+pose::StageTimes stage_medians(const Case& c) {
+  pose::StageTimes medians;
+  for (std::size_t stage = 0; c.stages && stage < pose::stage_count; ++stage) {
     std::vector<double> values;
-    for (const auto& t : c.link_ms) values.push_back(t.ms[link]);
-    medians.ms[link] = base::median(std::move(values));
+    for (const auto& t : c.stage_ms) values.push_back(t.ms[stage]);
+    medians.ms[stage] = base::median(std::move(values));
   }
   return medians;
 }
@@ -121,8 +121,8 @@ struct FusedFrame {
     state.set_pose(pose);
     engine.run(state);
   }
-  pose::LinkTimes times() const {
-    pose::LinkTimes all = state.times();
+  pose::StageTimes times() const {
+    pose::StageTimes all = state.times();
     return all += engine.times();
   }
 
@@ -163,7 +163,7 @@ public:
     for (const Case& c : cases_)
       times.push_back({dense_->vertices, cage_->element_count(), c.name, c.pool->threads(),
                        base::median(c.cpu_ms), base::median(c.wall_ms), c.error ? c.error() : std::nan(""),
-                       c.bytes, link_medians(c)});
+                       c.bytes, stage_medians(c)});
     return times;
   }
 
@@ -171,7 +171,8 @@ private:
   // If memory is not sufficient, there is no staged frame, and errors have no reference.
   void bind_staged(const mesh::Surface& model) try {
     binding_ = std::make_shared<const weights::Binding>(weights::bind(model, *cage_, weighting_, all_));
-    staged_ = std::make_unique<deform::Deformer>(cage_, binding_, pose::Scheme{binding_->weighting}, one_);
+    staged_ =
+        std::make_unique<deform::FrameDeformer>(cage_, binding_, pose::Deformer{binding_->weighting}, one_);
     staged_->deform(pose_, Method::diag);  // Method::diag shares no code with `fast`
     expected_ = staged_->positions();
   } catch (const base::Error& error) {
@@ -232,7 +233,7 @@ private:
   base::WorkerPool one_{1}, all_{0};
   std::shared_ptr<const weights::Binding> binding_, dense_, compressed_;
   int step_ = 0;
-  std::unique_ptr<deform::Deformer> staged_;
+  std::unique_ptr<deform::FrameDeformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;
   std::vector<std::unique_ptr<FusedFrame>> frames_;
   std::vector<mesh::Point> expected_;
@@ -241,7 +242,7 @@ private:
 
 void print(std::span<const FrameTime> times) {
   Table table{{"", "cpu", "wall", "faster", "error", "MB"}, {}};
-  for (std::size_t l = 0; l < pose::link_count; ++l) table.columns.emplace_back(pose::name(Link(l)));
+  for (std::size_t l = 0; l < pose::stage_count; ++l) table.columns.emplace_back(pose::name(Stage(l)));
   const FrameTime* plain = frame_of(times, reference, times.front().faces);
   for (const FrameTime& t : times) {
     table.rows.push_back({t.threads > 1 ? t.name + ", " + std::to_string(t.threads) + " threads" : t.name,
@@ -249,7 +250,7 @@ void print(std::span<const FrameTime> times) {
                           plain ? base::few_digits(plain->cpu_ms / t.cpu_ms) : "",
                           std::isnan(t.error) ? "" : error_text(t.error),
                           base::few_digits(1e-6 * static_cast<double>(t.bytes))});
-    for (const double ms : t.links.ms) table.rows.back().push_back(ms > 0 ? base::few_digits(ms) : "");
+    for (const double ms : t.stages.ms) table.rows.back().push_back(ms > 0 ? base::few_digits(ms) : "");
   }
   print(
       std::to_string(times.front().vertices) + " vertices, " + std::to_string(times.front().faces) +
@@ -262,8 +263,8 @@ nlohmann::json to_json(const FrameTime& t) {
                          {"threads", t.threads},   {"cpu_ms", t.cpu_ms}, {"wall_ms", t.wall_ms},
                          {"bytes", t.bytes}};
   if (!std::isnan(t.error)) json["error"] = t.error;
-  for (std::size_t l = 0; l < pose::link_count; ++l)
-    json["links_ms"][std::string(pose::name(Link(l)))] = t.links.ms[l];
+  for (std::size_t l = 0; l < pose::stage_count; ++l)
+    json["stages_ms"][std::string(pose::name(Stage(l)))] = t.stages.ms[l];
   return json;
 }
 

@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "bench/models.h"
 #include "bench/table.h"
-#include "deform/deformer.h"
+#include "deform/frame_deformer.h"
 
 namespace viete::bench {
 
@@ -19,10 +19,10 @@ struct FrameTime {
   std::size_t vertices, faces;
   std::string name;  ///< see frame_names
   int threads;
-  double cpu_ms, wall_ms;  ///< medians; cpu_ms is the time of the slowest thread
-  double error;            ///< largest distance from the staged vertices, in cage diagonals; NaN if unknown
-  std::size_t bytes;       ///< number of bytes that one frame reads
-  pose::LinkTimes links;   ///< medians of wall time
+  double cpu_ms, wall_ms;   ///< medians; cpu_ms is the time of the slowest thread
+  double error;             ///< largest distance from the staged vertices, in cage diagonals; NaN if unknown
+  std::size_t bytes;        ///< number of bytes that one frame reads
+  pose::StageTimes stages;  ///< medians of wall time
 };
 
 namespace frame_names {

@@ -11,7 +11,7 @@
 #include "base/median.h"
 #include "base/text.h"
 #include "bench/table.h"
-#include "deform/deformer.h"
+#include "deform/frame_deformer.h"
 #include "mesh/edge_paths.h"
 #include "mesh/normals.h"
 #include "mesh/point_tree.h"
@@ -174,12 +174,13 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Uses a fused binding for stitched schemes, and otherwise a staged binding. Staged bindings are large, so
-  // only the last one is kept.
+  // Uses a fused binding for stitched deformers, and otherwise a staged binding. Staged bindings are large,
+  // so only the last one is kept.
   void measure_shapes(Mode& mode) {
-    const pose::Weighting& weighting = mode.scheme.weighting;
-    if (mode.scheme.stitched()) {
-      deform::Deformer deformer(cage_, fused(weighting).binding, mode.scheme, all_, stitching(mode.scheme));
+    const pose::Weighting& weighting = mode.deformer.weighting;
+    if (mode.deformer.stitched()) {
+      deform::FrameDeformer deformer(cage_, fused(weighting).binding, mode.deformer, all_,
+                                     stitching(mode.deformer));
       return measure_shapes(mode, deformer);
     }
     if (!staged_ || !(staged_->weighting == weighting)) {
@@ -187,11 +188,11 @@ public:
       staged_ = std::make_shared<const weights::Binding>(weights::bind(surface_, *cage_, weighting, all_));
       note(staged_->warnings);
     }
-    deform::Deformer deformer(cage_, staged_, mode.scheme, all_);
+    deform::FrameDeformer deformer(cage_, staged_, mode.deformer, all_);
     measure_shapes(mode, deformer);
   }
 
-  void measure_shapes(Mode& mode, deform::Deformer& deformer) {
+  void measure_shapes(Mode& mode, deform::FrameDeformer& deformer) {
     const Deform deform = [&](const pose::Pose& pose) {
       deformer.deform(pose, method_);
       return deformer.positions();
@@ -209,15 +210,16 @@ public:
 
   // Binds the model as the program does, and adds a frame for time_frames().
   void add_frame(Mode& mode) {
-    const pose::Weighting& weighting = mode.scheme.weighting;
+    const pose::Weighting& weighting = mode.deformer.weighting;
     const Bound& bound = fused(weighting);
     mode.bind_ms = bound.ms;
-    auto frame = std::make_unique<deform::Deformer>(
-        cage_, bound.binding, mode.scheme, one_, mode.scheme.stitched() ? stitching(mode.scheme) : nullptr);
+    auto frame = std::make_unique<deform::FrameDeformer>(
+        cage_, bound.binding, mode.deformer, one_,
+        mode.deformer.stitched() ? stitching(mode.deformer) : nullptr);
     if (!frame->engine(method_)) {
       const auto both = std::make_shared<const weights::Binding>(weights::bind(
           mesh::lent(surface_), *cage_, weighting, pose::EngineKind::staged, bound.binding.get(), all_));
-      frame = std::make_unique<deform::Deformer>(cage_, both, mode.scheme, one_);
+      frame = std::make_unique<deform::FrameDeformer>(cage_, both, mode.deformer, one_);
     }
     mode.fused = frame->engine(method_) == pose::EngineKind::fused;
     frames_.push_back({&mode, std::move(frame)});
@@ -244,7 +246,7 @@ private:
   };
   struct Frame {
     Mode* mode;
-    std::unique_ptr<deform::Deformer> deformer;
+    std::unique_ptr<deform::FrameDeformer> deformer;
   };
 
   const Bound& fused(const pose::Weighting& weighting) {
@@ -258,9 +260,10 @@ private:
     return bound_.back();
   }
 
-  std::shared_ptr<const deform::Stitching> stitching(const pose::Scheme& scheme) {
-    if (!stitching_ || !stitching_->serves(scheme))
-      stitching_ = std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, scheme));
+  std::shared_ptr<const deform::Stitching> stitching(const pose::Deformer& deformer) {
+    if (!stitching_ || !stitching_->serves(deformer))
+      stitching_ =
+          std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, deformer));
     return stitching_;
   }
 
@@ -296,32 +299,33 @@ private:
   std::vector<std::string> warnings_;
 };
 
-std::vector<pose::Scheme> measured_schemes(const ModeSettings& settings) {
-  std::vector<pose::Scheme> all, schemes;
-  for (const auto way : base::all_values<pose::Way>()) all.push_back(pose::scheme_of(way));
+std::vector<pose::Deformer> measured_deformers(const ModeSettings& settings) {
+  std::vector<pose::Deformer> all, deformers;
+  for (const auto preset : base::all_values<pose::Preset>()) all.push_back(pose::deformer_of(preset));
   if (!settings.named_only) {
-    const auto others = pose::valid_schemes();
+    const auto others = pose::valid_deformers();
     all.insert(all.end(), others.begin(), others.end());
   }
-  for (pose::Scheme scheme : all) {
-    if (way_of(scheme) != pose::Way::mean_value && !fits(settings.choice, scheme)) continue;
-    scheme.weighting.radius = settings.radius.value_or(scheme.weighting.radius);
-    if (settings.iterations > 0) scheme.iterations = settings.iterations;
-    if (conflict(scheme)) scheme.iterations = 0;
-    if (scheme.stitched()) scheme.holding = settings.holding;
-    if (std::ranges::find(schemes, scheme) == schemes.end()) schemes.push_back(scheme);
+  for (pose::Deformer deformer : all) {
+    if (preset_of(deformer) != pose::Preset::mean_value && !fits(settings.choice, deformer)) continue;
+    deformer.weighting.radius = settings.radius.value_or(deformer.weighting.radius);
+    if (settings.iterations > 0) deformer.iterations = settings.iterations;
+    if (conflict(deformer)) deformer.iterations = 0;
+    if (deformer.stitched()) deformer.holding = settings.holding;
+    if (std::ranges::find(deformers, deformer) == deformers.end()) deformers.push_back(deformer);
   }
-  return schemes;
+  return deformers;
 }
 
-// Groups schemes with equal weights, so that each weighting is computed once.
-std::vector<Mode> modes_by_weights(const std::vector<pose::Scheme>& schemes) {
+// Groups deformers with equal weights, so that each weighting is computed once.
+std::vector<Mode> modes_by_weights(const std::vector<pose::Deformer>& deformers) {
   std::vector<Mode> modes;
-  for (const pose::Scheme& scheme : schemes) {
-    const auto alike = std::find_if(modes.rbegin(), modes.rend(),
-                                    [&](const Mode& m) { return m.scheme.weighting == scheme.weighting; });
+  for (const pose::Deformer& deformer : deformers) {
+    const auto alike = std::find_if(modes.rbegin(), modes.rend(), [&](const Mode& m) {
+      return m.deformer.weighting == deformer.weighting;
+    });
     Mode mode;
-    mode.scheme = scheme;
+    mode.deformer = deformer;
     modes.insert(alike == modes.rend() ? modes.end() : alike.base(), std::move(mode));
   }
   return modes;
@@ -332,8 +336,9 @@ double ratio(double value, double of) {
 }
 
 void compare_with_mean_values(std::vector<Mode>& modes) {
-  const auto reference = std::ranges::find_if(
-      modes, [](const Mode& m) { return m.problem.empty() && way_of(m.scheme) == pose::Way::mean_value; });
+  const auto reference = std::ranges::find_if(modes, [](const Mode& m) {
+    return m.problem.empty() && preset_of(m.deformer) == pose::Preset::mean_value;
+  });
   if (reference == modes.end()) return;
   const std::vector<ShapeQuality> theirs = reference->qualities;
   for (Mode& mode : modes) {
@@ -352,8 +357,8 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const p
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress) {
   ModeRuns runs(model, std::move(cage), poses, settings.method);
-  const std::vector<pose::Scheme> schemes = measured_schemes(settings);
-  std::vector<Mode> modes = modes_by_weights(schemes);
+  const std::vector<pose::Deformer> deformers = measured_deformers(settings);
+  std::vector<Mode> modes = modes_by_weights(deformers);
   // The progress after each of the first two stages.
   constexpr double shapes = 0.6, bound = 0.7;
   const auto each = [&](double from, double to, const auto& measure) {
@@ -363,7 +368,7 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const p
       Mode& mode = modes[i];
       try {
         if (mode.problem.empty()) measure(mode);
-      } catch (const base::Error& error) {  // this cage does not support the scheme
+      } catch (const base::Error& error) {  // this cage does not support the deformer
         mode.problem = error.what();
         mode.qualities.clear();
       }
@@ -376,7 +381,7 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const p
   progress.section(bound, 1);
   runs.time_frames(settings.rounds, progress);
   compare_with_mean_values(modes);
-  std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(schemes, mode.scheme); });
+  std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(deformers, mode.deformer); });
   return {std::move(modes), runs.model().encloses(), runs.model().without_area(), runs.rest_gap(),
           runs.warnings()};
 }

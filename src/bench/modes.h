@@ -1,4 +1,4 @@
-// viete bench modes: compares all schemes with the poses of a model.
+// viete bench modes: compares all deformers with the poses of a model.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 #include "mesh/half_edges.h"
 #include "mesh/surface.h"
 #include "pose/cage.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
 
@@ -38,15 +38,15 @@ struct ShapeQuality {
   double volume = 1;          ///< relative to rest; NaN if the model encloses no volume
   double gap = 0;             ///< see bench::gap()
   double torn = 0;            ///< see bench::torn()
-  /// `energy`, `bending` and `torn` of this scheme, divided by those of mean value coordinates. NaN if the
+  /// `energy`, `bending` and `torn` of this deformer, divided by those of mean value coordinates. NaN if the
   /// divisor is nearly 0 or unknown.
   double energy_ratio = NAN, bending_ratio = NAN, torn_ratio = NAN;
 };
 
-/// Results of one scheme.
+/// Results of one deformer.
 struct Mode {
-  pose::Scheme scheme;
-  std::string problem;                  ///< reason if this model and cage do not support the scheme
+  pose::Deformer deformer;
+  std::string problem;                  ///< reason if this model and cage do not support the deformer
   std::array<double, 4> deviations{};   ///< one deviation for each of whole_poses()
   double leak = 0;                      ///< see bench::leak()
   std::vector<ShapeQuality> qualities;  ///< one entry for each pose
@@ -54,7 +54,7 @@ struct Mode {
   double frame_ms = 0, bind_ms = 0;     ///< processor time of one thread
 };
 
-/// Results of all schemes for one model in one cage.
+/// Results of all deformers for one model in one cage.
 struct ModeComparison {
   std::vector<Mode> modes;
   bool encloses = true;                 ///< true if the model has a volume to compare
@@ -116,16 +116,16 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest
 
 struct ModeSettings {
   std::size_t rounds = 11;
-  pose::PartialChoice choice{};    ///< limits the schemes; mean value coordinates are always measured
+  pose::PartialChoice choice{};    ///< limits the deformers; mean value coordinates are always measured
   std::optional<double> radius{};  ///< radius of cut-off weights
   sym3::Method method = sym3::Method::fast;
-  int iterations = 0;  ///< number of solves for stitched schemes
+  int iterations = 0;  ///< number of solves for stitched deformers
   pose::Holding holding{};
   bool named_only = false;  ///< if true, measures only named deformers
 };
 
-/// Measures the named deformers and all other valid schemes, if they match settings.choice. The staged
-/// engine computes the shapes, except those of stitched schemes. Frame times are for the first pose, on one
+/// Measures the named deformers and all other valid deformers, if they match settings.choice. The staged
+/// engine computes the shapes, except those of stitched deformers. Frame times are for the first pose, on one
 /// thread, in interleaved rounds. `poses` must not be empty. Throws base::Error and base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
@@ -143,7 +143,7 @@ OverPoses over_poses(const Mode& mode, double ShapeQuality::*value);
 
 nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses);
 
-/// Prints the tables of the schemes and of each pose, and a summary of all poses. Throws base::Error.
+/// Prints the tables of the deformers and of each pose, and a summary of all poses. Throws base::Error.
 void bench_modes(const ModelOptions& options, ModeSettings settings);
 
 }  // namespace viete::bench

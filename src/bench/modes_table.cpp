@@ -65,8 +65,8 @@ std::string cell(double value, const char* format) {
 }
 
 std::string name_of(const Mode& mode) {
-  const auto way = pose::way_of(mode.scheme);
-  return (way ? std::string(base::entry_of(*way).word) + ": " : "") + pose::text(mode.scheme);
+  const auto preset = pose::preset_of(mode.deformer);
+  return (preset ? std::string(base::entry_of(*preset).word) + ": " : "") + pose::text(mode.deformer);
 }
 
 template <class Row>
@@ -116,11 +116,11 @@ void print_notes(const ModeComparison& compared, std::span<const NamedPose> pose
 }
 
 nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
-  const pose::Scheme& scheme = mode.scheme;
-  nlohmann::json json = {{"name", pose::text(scheme)},
-                         {"weights", base::entry_of(scheme.weighting.weights).word},
-                         {"blend", base::entry_of(scheme.blend).word}};
-  if (const auto way = pose::way_of(scheme)) json["way"] = base::entry_of(*way).word;
+  const pose::Deformer& deformer = mode.deformer;
+  nlohmann::json json = {{"name", pose::text(deformer)},
+                         {"weights", base::entry_of(deformer.weighting.weights).word},
+                         {"blend", base::entry_of(deformer.blend).word}};
+  if (const auto preset = pose::preset_of(deformer)) json["deformer"] = base::entry_of(*preset).word;
   if (!mode.problem.empty()) {
     json["problem"] = mode.problem;
     return json;

@@ -121,7 +121,7 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
 void add_modes_bench(CLI::App& command, Action& action) {
   auto bench = add_model_bench(command, 11, "the dragon's cage");
   auto settings = std::make_shared<ModeSettings>();
-  auto asked = std::make_shared<pose::AskedScheme>();
+  auto asked = std::make_shared<pose::AskedDeformer>();
   command.add_option("POSE", bench->poses, "Posed cages (same vertices, same order)")
       ->default_str("the dragon's poses");
   add_method_option(command, [settings](sym3::Method method) { settings->method = method; });

@@ -47,8 +47,8 @@ std::string worst_error(const Figures& figures, Method method) {
   return error_text(worst);
 }
 
-std::string lost_volume(const nlohmann::json& way) {
-  const double lost = 100 * (1 - double(way["volume"]));
+std::string lost_volume(const nlohmann::json& preset) {
+  const double lost = 100 * (1 - double(preset["volume"]));
   return lost < 0.5 ? "nothing" : percent(lost);
 }
 
@@ -130,11 +130,11 @@ Section deformation_section(const Figures& figures) {
     const FrameTime* t = staged_frame(figures.deformation, m);
     if (!t) continue;
     const std::string label(sym3::label(m));
-    const double exp = t->links[pose::Link::exp], blend = t->links[pose::Link::blend];
+    const double exp = t->stages[pose::Stage::exp], blend = t->stages[pose::Stage::blend];
     plot.bars.push_back({label, t->cpu_ms, color_of_method(label), exp});
     table.rows.push_back({label, few_digits(t->cpu_ms), few_digits(exp),
-                          percent(100 * exp / t->links.total()), few_digits(blend),
-                          few_digits(t->links.total() - exp - blend)});
+                          percent(100 * exp / t->stages.total()), few_digits(blend),
+                          few_digits(t->stages.total() - exp - blend)});
   }
   Section section{"deformation", "Figure 3 of the paper", "Deformation", "", "", "", {}};
   section.commands = {"viete bench frame " + shell_word(figures.files.model) + " " +
@@ -305,8 +305,8 @@ Section frames_section(const Figures& figures) {
 }
 
 std::string label_of(const Mode& mode) {
-  const auto way = pose::way_of(mode.scheme);
-  return way ? std::string(base::entry_of(*way).label) : pose::text(mode.scheme);
+  const auto preset = pose::preset_of(mode.deformer);
+  return preset ? std::string(base::entry_of(*preset).label) : pose::text(mode.deformer);
 }
 
 std::string number(double value) {
@@ -331,7 +331,7 @@ const Mode& least(const Modes& modes, double (*value)(const Mode&)) {
 }
 
 bool is_default(const Mode& mode) {
-  return pose::way_of(mode.scheme) == pose::Way::smooth;
+  return pose::preset_of(mode.deformer) == pose::Preset::smooth;
 }
 
 std::string deformers_plot(const char* title, const Modes& modes, double (*value)(const Mode&),
@@ -363,8 +363,8 @@ Table deformers_table(const Modes& modes) {
 std::string descriptions(const Modes& modes) {
   Table table{{"deformer", "what it does"}, {}, {"what it does"}};
   for (const Mode* m : modes)
-    if (const auto way = pose::way_of(m->scheme))
-      table.rows.push_back({label_of(*m), std::string(base::entry_of(*way).hint)});
+    if (const auto preset = pose::preset_of(m->deformer))
+      table.rows.push_back({label_of(*m), std::string(base::entry_of(*preset).hint)});
   return details("Description of the deformers", html(table));
 }
 
@@ -388,7 +388,7 @@ std::string deformers_seen(const Modes& modes, std::size_t poses) {
 Section deformers_section(const Figures& figures) {
   Modes modes;
   std::string problems, poses;
-  for (const Mode& mode : figures.ways.modes) {
+  for (const Mode& mode : figures.deformers.modes) {
     if (mode.problem.empty())
       modes.push_back(&mode);
     else

@@ -40,38 +40,38 @@ bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
 }  // namespace
 
 ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
-                             const pose::Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
+                             const pose::Deformer& deformer, sym3::Method method, base::WorkerPool& pool,
                              Weights weights, const weights::Mask& mask, base::Progress* progress)
     : model_(with_vertices(model)),
       cage_(std::move(cage)),
-      scheme_(scheme),
+      deformer_(deformer),
       method_(method),
       pool_(pool),
       mask_(mask),
-      state_(cage_, scheme.weighting.elements, scheme.blend),
-      weigher_(*cage_, scheme.weighting),
+      state_(cage_, deformer.weighting.elements, deformer.blend),
+      weigher_(*cage_, deformer.weighting),
       layer_(model.positions, pool) {
   const std::size_t n = model_.positions.size();
-  state_.set_amounts(scheme.amounts);
-  state_.keep_origin(holds_shares(mask_, scheme.weighting));
-  if (scheme.stitched() && weights::needs_coarse_model(model_)) {
+  state_.set_amounts(deformer.amounts);
+  state_.keep_origin(holds_shares(mask_, deformer.weighting));
+  if (deformer.stitched() && weights::needs_coarse_model(model_)) {
     std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.25);
     coarse_model_.emplace(model_, pool_, progress);
     part.emplace(progress, 0.25, 0.5);
-    coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, scheme, method, pool, weights,
-                                              coarse_model_->means(mask), progress);
-  } else if (scheme.stitched()) {
-    stitching_ = stitch(model_, *cage_, pool_, scheme);
+    coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, deformer, method, pool,
+                                              weights, coarse_model_->means(mask), progress);
+  } else if (deformer.stitched()) {
+    stitching_ = stitch(model_, *cage_, pool_, deformer);
     sums_.resize(n * state_.rows().columns());
-    if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
+    if (holds_shares(mask_, deformer.weighting)) shares_.resize(n);
   }
   const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
-  const bool on_surface = scheme.weighting.on_surface();
+  const bool on_surface = deformer.weighting.on_surface();
   if (on_surface && n > weights::most_solved_vertices) {
-    proxy_.emplace(model_, *cage_, scheme.weighting, pool_, progress);
+    proxy_.emplace(model_, *cage_, deformer.weighting, pool_, progress);
     row_ = [this](std::uint32_t vertex, std::span<double> row) { proxy_->row(vertex, row); };
   } else if (on_surface) {
-    surface_weights_ = weights::bind(mesh::lent(model_), *cage_, scheme.weighting, pose::EngineKind::staged,
+    surface_weights_ = weights::bind(mesh::lent(model_), *cage_, deformer.weighting, pose::EngineKind::staged,
                                      nullptr, pool_, progress);
     row_ = known_row(surface_weights_);
   }
@@ -88,12 +88,13 @@ weights::BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) con
   return bind_vertices(weigher_, model_.positions, row_, mask_, vertices);
 }
 
-std::vector<Vec3> ExactDeformer::ways(const weights::Binding& part, const weights::SharedShape& shape,
-                                      std::size_t begin) const {
+std::vector<Vec3> ExactDeformer::displacements(const weights::Binding& part,
+                                               const weights::SharedShape& shape, std::size_t begin) const {
   if (!shape) return {};
-  std::vector<Vec3> ways;
-  for (std::size_t i = 0; i < part.vertices; ++i) ways.push_back((*shape)[begin + i] - (*part.rest)[i]);
-  return follower_ ? follower_->followed({part, part.shares}, ways) : ways;
+  std::vector<Vec3> displacements;
+  for (std::size_t i = 0; i < part.vertices; ++i)
+    displacements.push_back((*shape)[begin + i] - (*part.rest)[i]);
+  return follower_ ? follower_->followed({part, part.shares}, displacements) : displacements;
 }
 
 double ExactDeformer::place(const weights::Binding& part, const weights::SharedShape& shape,
@@ -102,25 +103,26 @@ double ExactDeformer::place(const weights::Binding& part, const weights::SharedS
   if (!shares_.empty()) std::ranges::copy(part.shares, shares_.begin() + std::ptrdiff_t(begin));
   const auto sums = stitching_ ? std::span(sums_).subspan(begin * columns, positions.size() * columns)
                                : std::span<double>();
-  const std::vector<Vec3> ways = this->ways(part, shape, begin);
-  return place_vertices({part, part.shares, ways}, state_.rows(), method_, positions, sums);
+  const std::vector<Vec3> displacements = this->displacements(part, shape, begin);
+  return place_vertices({part, part.shares, displacements}, state_.rows(), method_, positions, sums);
 }
 
-void ExactDeformer::stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const {
+void ExactDeformer::stitch_positions(std::span<const Vec3> displacements,
+                                     std::span<mesh::Point> positions) const {
   const pose::Rows rows = state_.rows();
   std::vector<Vec3> held;
   for (const auto& hold : stitching_->holds) held.push_back(positions[hold.vertex] - rows.origin);
   Stitcher stitcher(*stitching_, rows.form, pool_);
   stitcher.set_shares(shares_);
-  stitcher.set_shape(ways);
-  stitcher.run(rows, sums_, held, method_, scheme_.iterations);
+  stitcher.set_shape(displacements);
+  stitcher.run(rows, sums_, held, method_, deformer_.iterations);
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
 }
 
 ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& probes,
                                  const weights::SharedShape& shape, base::Progress* progress) {
   state_.set_pose(pose);
-  if (shape && ShapeFollower::is_for(scheme_)) {
+  if (shape && ShapeFollower::is_for(deformer_)) {
     if (!follower_) follower_.emplace(cage_);
     follower_->set_pose(pose);
   }
@@ -142,7 +144,7 @@ ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& pro
     exact.exp_error = std::max(exact.exp_error, error);
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
   });
-  if (stitching_) stitch_positions(weights::ways_of(shape, model_.positions), exact.positions);
+  if (stitching_) stitch_positions(weights::displacements_of(shape, model_.positions), exact.positions);
   if (coarse_) {
     weights::SharedShape own;
     if (shape) own = std::make_shared<std::vector<Vec3>>(coarse_model_->means(*shape, pool_));
@@ -153,17 +155,17 @@ ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& pro
   }
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);
-  exact.warnings = weights::weight_warnings(*cage_, scheme_.weighting.weights, failed, n);
+  exact.warnings = weights::weight_warnings(*cage_, deformer_.weighting.weights, failed, n);
   return exact;
 }
 
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
-                          const pose::Scheme& scheme, const pose::Pose& pose, sym3::Method method,
+                          const pose::Deformer& deformer, const pose::Pose& pose, sym3::Method method,
                           base::WorkerPool& pool, base::Progress* progress, const weights::Mask& mask,
                           const pose::Probes& probes, const weights::SharedShape& shape) {
-  ExactDeformer deformer(model, std::move(cage), scheme, method, pool, ExactDeformer::Weights::dropped, mask,
-                         progress);
-  return deformer.deform(pose, probes, shape, progress);
+  ExactDeformer exact(model, std::move(cage), deformer, method, pool, ExactDeformer::Weights::dropped,
+                         mask, progress);
+  return exact.deform(pose, probes, shape, progress);
 }
 
 }  // namespace viete::deform

@@ -43,7 +43,7 @@ public:
   /// model and pool must outlive the deformer; cage must not be null. progress reports the work before the
   /// first pose, and may be null. Throws base::Error if the model has no vertices, and base::Cancelled.
   ExactDeformer(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
-                const pose::Scheme& scheme, sym3::Method method, base::WorkerPool& pool, Weights weights,
+                const pose::Deformer& deformer, sym3::Method method, base::WorkerPool& pool, Weights weights,
                 const weights::Mask& mask = nullptr, base::Progress* progress = nullptr);
   ExactDeformer(const ExactDeformer&) = delete;
   ExactDeformer& operator=(const ExactDeformer&) = delete;
@@ -55,15 +55,15 @@ public:
 
 private:
   weights::BoundPart part(std::size_t begin, std::size_t count) const;
-  std::vector<Vec3> ways(const weights::Binding& part, const weights::SharedShape& shape,
-                         std::size_t begin) const;
+  std::vector<Vec3> displacements(const weights::Binding& part, const weights::SharedShape& shape,
+                                  std::size_t begin) const;
   double place(const weights::Binding& part, const weights::SharedShape& shape, std::size_t begin,
                std::span<mesh::Point> positions);
-  void stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const;
+  void stitch_positions(std::span<const Vec3> displacements, std::span<mesh::Point> positions) const;
 
   const mesh::Surface& model_;
   std::shared_ptr<const pose::Cage> cage_;
-  pose::Scheme scheme_;
+  pose::Deformer deformer_;
   sym3::Method method_;
   base::WorkerPool& pool_;
   weights::Mask mask_;
@@ -83,7 +83,7 @@ private:
 };
 
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
-                          const pose::Scheme& scheme, const pose::Pose& pose, sym3::Method method,
+                          const pose::Deformer& deformer, const pose::Pose& pose, sym3::Method method,
                           base::WorkerPool& pool, base::Progress* progress = nullptr,
                           const weights::Mask& mask = nullptr, const pose::Probes& probes = {},
                           const weights::SharedShape& shape = nullptr);

@@ -92,20 +92,20 @@ void FusedEngine::set_mask(const weights::Mask& mask) {
   for (std::size_t slot = 0; slot < shares_.size(); ++slot) shares_[slot] *= (*mask)[order[slot]];
 }
 
-void FusedEngine::set_shape(std::span<const Vec3> ways) {
+void FusedEngine::set_shape(std::span<const Vec3> displacements) {
   drag_.placed = knows_rest_ = false;
-  ways_ = ways;
+  displacements_ = displacements;
   rest_.clear(), offsets_.clear();
-  if (ways.empty()) return;
+  if (displacements.empty()) return;
   offsets_ = binding_->offsets;
-  add(offsets_, [&](std::uint32_t v) { return ways[v]; });
+  add(offsets_, [&](std::uint32_t v) { return displacements[v]; });
 }
 
 // Fills rest_, if the frame needs it.
 void FusedEngine::fill_rest() {
   const bool needed = !shares_.empty() || form_ == pose::RowForm::maps || has_moments(form_);
   if (!needed || !rest_.empty()) return;
-  const weights::VertexBlock block{.binding = *bound_, .ways = ways_};
+  const weights::VertexBlock block{.binding = *bound_, .displacements = displacements_};
   rest_.assign(binding_->offsets.size(), 0.0f);
   add(rest_, [&](std::uint32_t v) { return block.rest(v) - bound_->rest_origin; });
 }
@@ -120,17 +120,17 @@ void FusedEngine::run(const pose::CageState& state, sym3::Method) {
   base::Stopwatch watch;
   prepare(state);
   place_vertices();
-  times_[pose::Link::fused] = watch.lap_ms() - times_[pose::Link::skeleton];
+  times_[pose::Stage::fused] = watch.lap_ms() - times_[pose::Stage::skeleton];
   finish(watch);
 }
 
 void FusedEngine::finish(base::Stopwatch& watch) {
   if (layer_) {
     move_by_probes();
-    times_[pose::Link::probes] = watch.lap_ms();
+    times_[pose::Stage::probes] = watch.lap_ms();
   }
   compute_normals();
-  times_[pose::Link::normals] += watch.lap_ms();
+  times_[pose::Stage::normals] += watch.lap_ms();
 }
 
 void FusedEngine::prepare(const pose::CageState& state) {
@@ -144,7 +144,7 @@ void FusedEngine::prepare(const pose::CageState& state) {
   follow_drag(state);
   if (!binding_->compressed() || dragging_) return;
   blend_skeleton(table_.data());
-  times_[pose::Link::skeleton] = watch.lap_ms();
+  times_[pose::Stage::skeleton] = watch.lap_ms();
 }
 
 void FusedEngine::blend(const pose::CageState& state, std::span<double> sums) {
@@ -167,7 +167,7 @@ void FusedEngine::blend(const pose::CageState& state, std::span<double> sums) {
       if (!shares_.empty()) share(slot, to);
     }
   });
-  times_[pose::Link::blend] = watch.lap_ms() - times_[pose::Link::skeleton];
+  times_[pose::Stage::blend] = watch.lap_ms() - times_[pose::Stage::skeleton];
 }
 
 // Applies the share of a slot to the sums of this slot, see apply_shares().
@@ -195,7 +195,7 @@ void FusedEngine::show(std::span<const Vec3> positions) {
     }
   });
   drag_.placed = false;
-  times_[pose::Link::normals] = watch.lap_ms();
+  times_[pose::Stage::normals] = watch.lap_ms();
   finish(watch);
 }
 

@@ -34,7 +34,7 @@ public:
               const sym3::Kernel& kernel = sym3::kernel());
 
   void set_mask(const weights::Mask& mask) override;
-  void set_shape(std::span<const Vec3> ways) override;
+  void set_shape(std::span<const Vec3> displacements) override;
   /// Always uses method `fast`.
   void run(const pose::CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const pose::FrameVertex> vertices() const override { return vertices_; }
@@ -99,10 +99,10 @@ private:
   base::AlignedVector<float> skeleton_table_;     // [pivot][column]
   base::AlignedVector<float> positions_;          // slots and ghosts as x y z x, see Rings
   base::AlignedVector<pose::FrameVertex> vertices_;
-  base::AlignedVector<float> shares_;   // [slot]; empty: all 1
-  std::span<const Vec3> ways_;          // displacements of the shape
-  base::AlignedVector<float> offsets_;  // the binding's offsets plus the shape; empty without a shape
-  base::AlignedVector<float> rest_;     // as offsets_, but from the middle of the rest cage; see fill_rest()
+  base::AlignedVector<float> shares_;    // [slot]; empty: all 1
+  std::span<const Vec3> displacements_;  // displacements of the shape
+  base::AlignedVector<float> offsets_;   // the binding's offsets plus the shape; empty without a shape
+  base::AlignedVector<float> rest_;      // as offsets_, but from the middle of the rest cage; see fill_rest()
   std::vector<std::uint8_t> leaf_moved_;  // [leaf]: 1 if slots of the leaf moved in this frame
   std::vector<std::uint32_t> slots_;      // slot of each vertex; only filled if there are probes
   ProbeTiles probes_;

@@ -16,9 +16,9 @@ namespace viete::deform {
 /// affine map and share is 1, v' is the linear part of this map times v. Not thread-safe.
 class ShapeFollower {
 public:
-  /// Returns true if the scheme's rows are positions, which have no rotations.
-  static bool is_for(const pose::Scheme& scheme) {
-    return row_form(scheme.weighting.elements, scheme.blend) == pose::RowForm::positions;
+  /// Returns true if the deformer's rows are positions, which have no rotations.
+  static bool is_for(const pose::Deformer& deformer) {
+    return row_form(deformer.weighting.elements, deformer.blend) == pose::RowForm::positions;
   }
 
   explicit ShapeFollower(std::shared_ptr<const pose::Cage> cage)
@@ -27,13 +27,14 @@ public:
   void set_pose(const pose::Pose& pose) { state_.set_pose(pose); }
   /// Returns v' for all vertices. The mask scales the shares. Uses tiles if the binding has them.
   std::span<const Vec3> followed(const std::shared_ptr<const weights::Binding>& binding,
-                                 const weights::Mask& mask, std::span<const Vec3> ways,
+                                 const weights::Mask& mask, std::span<const Vec3> displacements,
                                  base::WorkerPool& pool);
-  /// Returns v' for a block's vertices. block.ways must be empty. Thread-safe between calls of set_pose().
-  std::vector<Vec3> followed(const weights::VertexBlock& block, std::span<const Vec3> ways) const;
+  /// Returns v' for a block's vertices. block.displacements must be empty. Thread-safe between calls of
+  /// set_pose().
+  std::vector<Vec3> followed(const weights::VertexBlock& block, std::span<const Vec3> displacements) const;
 
 private:
-  std::vector<Vec3> followed(std::span<const double> sums, std::span<const Vec3> ways) const;
+  std::vector<Vec3> followed(std::span<const double> sums, std::span<const Vec3> displacements) const;
 
   pose::CageState state_;
   std::unique_ptr<FusedEngine> blender_;  // for a binding with tiles

@@ -174,43 +174,43 @@ StagedEngine::StagedEngine(std::shared_ptr<const weights::Binding> binding, pose
 }
 
 template <class Body>
-void StagedEngine::run_link(pose::Link link, const Body& body) {
+void StagedEngine::run_stage(pose::Stage stage, const Body& body) {
   constexpr std::size_t vertices_per_block = 256;
   base::Stopwatch watch;
   pool_.for_blocks(binding_->vertices, vertices_per_block, body);
-  times_[link] = watch.lap_ms();
+  times_[stage] = watch.lap_ms();
 }
 
 void StagedEngine::run(const pose::CageState& state, sym3::Method method) {
   const pose::Rows rows = state.rows();
-  const weights::VertexBlock block{*binding_, shares_, ways_};
+  const weights::VertexBlock block{*binding_, shares_, displacements_};
   times_ = {};
   if (has_moments(rows.form)) {
     // One step computes the sums and the map of a vertex, because some sums depend on other sums.
-    run_link(pose::Link::blend, [&](std::size_t begin, std::size_t end) {
+    run_stage(pose::Stage::blend, [&](std::size_t begin, std::size_t end) {
       place_by_moments(block, rows, begin, end, positions_);
     });
   } else {
-    run_link(pose::Link::blend, [&](std::size_t begin, std::size_t end) {
+    run_stage(pose::Stage::blend, [&](std::size_t begin, std::size_t end) {
       blend(block, rows, begin, end, sums_);
       if (!logs_.empty()) stretch_logs(sums_, begin, end, logs_);
     });
     if (!logs_.empty()) {
-      run_link(pose::Link::exp, [&](std::size_t begin, std::size_t end) {
+      run_stage(pose::Stage::exp, [&](std::size_t begin, std::size_t end) {
         sym3::exp<double>(std::span(logs_).subspan(begin, end - begin),
                           std::span(stretches_).subspan(begin, end - begin), method);
       });
     }
-    run_link(pose::Link::apply, [&](std::size_t begin, std::size_t end) {
+    run_stage(pose::Stage::apply, [&](std::size_t begin, std::size_t end) {
       apply(block, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
     });
   }
   if (layer_) {
     base::Stopwatch watch;
     layer_->move_all(positions_, method);
-    times_[pose::Link::probes] = watch.lap_ms();
+    times_[pose::Stage::probes] = watch.lap_ms();
   }
-  run_link(pose::Link::normals, [&](std::size_t begin, std::size_t end) {
+  run_stage(pose::Stage::normals, [&](std::size_t begin, std::size_t end) {
     mesh::vertex_normals(positions_, binding_->model->triangles, binding_->around, begin, end, normals_);
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 p = positions_[i] - rows.origin;

@@ -53,7 +53,7 @@ public:
   void set_mask(const weights::Mask& mask) override {
     shares_ = weights::product(binding_->shares, weights::values(mask));
   }
-  void set_shape(std::span<const Vec3> ways) override { ways_ = ways; }
+  void set_shape(std::span<const Vec3> displacements) override { displacements_ = displacements; }
   void run(const pose::CageState& state, sym3::Method method) override;
   std::span<const pose::FrameVertex> vertices() const override { return vertices_; }
   /// Positions of the last frame, in double precision.
@@ -64,12 +64,12 @@ public:
 
 private:
   template <class Body>
-  void run_link(pose::Link link, const Body& body);
+  void run_stage(pose::Stage stage, const Body& body);
 
   std::shared_ptr<const weights::Binding> binding_;
   base::WorkerPool& pool_;
   weights::Shares shares_;
-  std::span<const Vec3> ways_;                        // displacements of the shape
+  std::span<const Vec3> displacements_;               // displacements of the shape
   std::vector<double> sums_;                          // [vertex][column]; empty for moment forms
   std::vector<sym3::Sym3<double>> logs_, stretches_;  // for forms with stretches
   std::vector<mesh::Point> positions_, normals_;

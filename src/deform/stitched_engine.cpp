@@ -130,15 +130,15 @@ void Stitcher::set_shares(const weights::Shares& shares) {
 void Stitcher::set_shape(std::span<const Vec3> of_vertices) {
   const Stitching& s = stitching_;
   const std::vector<Vec3> all = s.with_centers(of_vertices);
-  const std::span<const Vec3> ways(all);
+  const std::span<const Vec3> displacements(all);
   shaped_gradients_.clear();
-  pin_ways_ = mesh::picked(ways, vertices_of(s.pins));
-  if (ways.empty()) return;
+  pin_displacements_ = mesh::picked(displacements, vertices_of(s.pins));
+  if (displacements.empty()) return;
   shaped_gradients_ = s.gradients;
   pool_.for_blocks(s.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = s.triangles[t];
-      const auto more = area_gradients(s.cotangents[t], ways[a], ways[b], ways[c]);
+      const auto more = area_gradients(s.cotangents[t], displacements[a], displacements[b], displacements[c]);
       for (const std::size_t i : {0, 1}) shaped_gradients_[t][i] = shaped_gradients_[t][i] + more[i];
     }
   });
@@ -170,7 +170,7 @@ void Stitcher::place_pins(const pose::Rows& rows, sym3::Method method) {
   for (std::size_t i = 0; i < n; ++i)
     std::copy_n(rows.values.begin() + std::ptrdiff_t(stitching_.pins[i].handle * columns), columns,
                 sums.begin() + std::ptrdiff_t(i * columns));
-  const weights::VertexBlock pins{stitching_.pinned, pin_shares_, pin_ways_};
+  const weights::VertexBlock pins{stitching_.pinned, pin_shares_, pin_displacements_};
   apply_shares(pins, rows.form, 0, n, sums);
   place_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
@@ -283,14 +283,14 @@ void StitchedEngine::set_mask(const weights::Mask& mask) {
   stitcher_.set_shares(shares_);
 }
 
-void StitchedEngine::set_shape(std::span<const Vec3> ways) {
+void StitchedEngine::set_shape(std::span<const Vec3> displacements) {
   if (whole_) {
-    whole_->set_shape(ways);
-    ways = coarse_ways_ = stitching_->coarse->means(ways, pool_);
+    whole_->set_shape(displacements);
+    displacements = coarse_displacements_ = stitching_->coarse->means(displacements, pool_);
   }
-  ways_ = ways;
-  blender_.set_shape(ways);
-  stitcher_.set_shape(ways);
+  displacements_ = displacements;
+  blender_.set_shape(displacements);
+  stitcher_.set_shape(displacements);
 }
 
 void StitchedEngine::run(const pose::CageState& state, sym3::Method method) {
@@ -307,17 +307,17 @@ void StitchedEngine::run(const pose::CageState& state, sym3::Method method) {
     blender_.show(stitcher_.positions());
     times_ = blender_.times();
   }
-  times_[pose::Link::blend] += held_ms;
-  times_[pose::Link::triangle_maps] = stitcher_.loads_ms();
-  times_[pose::Link::solve] = stitcher_.solve_ms();
+  times_[pose::Stage::blend] += held_ms;
+  times_[pose::Stage::triangle_maps] = stitcher_.loads_ms();
+  times_[pose::Stage::solve] = stitcher_.solve_ms();
 }
 
 // Blends the whole model, and moves it as stitching moved the coarse model. Returns the times of both.
-pose::LinkTimes StitchedEngine::move_whole(const pose::CageState& state) {
+pose::StageTimes StitchedEngine::move_whole(const pose::CageState& state) {
   const weights::CoarseModel& coarse = *stitching_->coarse;
   whole_->set_layer(nullptr);
   whole_->run(state);
-  pose::LinkTimes times = whole_->times();
+  pose::StageTimes times = whole_->times();
   base::Stopwatch watch;
   positions_.resize(whole_->vertices().size());
   pool_.for_blocks(positions_.size(), gathered_per_block, [&](std::size_t begin, std::size_t end) {
@@ -331,11 +331,11 @@ pose::LinkTimes StitchedEngine::move_whole(const pose::CageState& state) {
   std::vector<Vec3> moves = coarse.means(positions_, pool_);
   for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = stitcher_.positions()[c] - moves[c];
   coarse.move(moves, positions_, pool_);
-  times[pose::Link::apply] = watch.lap_ms();
+  times[pose::Stage::apply] = watch.lap_ms();
   whole_->set_layer(layer_);
   whole_->show(positions_);
-  for (const pose::Link link : {pose::Link::normals, pose::Link::probes})
-    times[link] += whole_->times()[link];
+  for (const pose::Stage stage : {pose::Stage::normals, pose::Stage::probes})
+    times[stage] += whole_->times()[stage];
   return times;
 }
 
@@ -358,8 +358,8 @@ std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices,
   }
   std::vector<Vec3> positions(vertices.size());
   const weights::Shares shares = mesh::picked(std::span(shares_), vertices);
-  const auto ways = mesh::picked(ways_, vertices);
-  place_sums({some, shares, ways}, form_, sums, {0, 0, 0}, method, positions);
+  const auto displacements = mesh::picked(displacements_, vertices);
+  place_sums({some, shares, displacements}, form_, sums, {0, 0, 0}, method, positions);
   return positions;
 }
 

@@ -25,7 +25,7 @@ public:
   void set_shares(const weights::Shares& shares);
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). The
   /// displacements change the edges of the model, but not the cotangents of its triangles.
-  void set_shape(std::span<const Vec3> ways);
+  void set_shape(std::span<const Vec3> displacements);
   /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. A triangle's map is
   /// computed from the mean of the corners' sums. `held` has the blended positions of the vertices in
   /// Stitching::holds, relative to the rows' origin.
@@ -58,7 +58,7 @@ private:
   std::vector<Vec3> loads_;                            // M * g of each corner, see Stitching
   std::vector<std::array<Vec3, 2>> stretched_;         // S * g; empty if rotations are not refitted
   weights::Shares pin_shares_;                         // one per pin
-  std::vector<Vec3> pin_ways_;
+  std::vector<Vec3> pin_displacements_;
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
   sparse::SparseCholesky::Workspace work_;
@@ -78,7 +78,7 @@ public:
                  pose::RowForm form, int iterations, base::WorkerPool& pool);
 
   void set_mask(const weights::Mask& mask) override;
-  void set_shape(std::span<const Vec3> ways) override;
+  void set_shape(std::span<const Vec3> displacements) override;
   void run(const pose::CageState& state, sym3::Method method) override;
   std::span<const pose::FrameVertex> vertices() const override {
     return (whole_ ? *whole_ : blender_).vertices();
@@ -91,11 +91,11 @@ public:
 
 private:
   std::vector<Vec3> blended(std::span<const std::size_t> vertices, sym3::Method method) const;
-  pose::LinkTimes move_whole(const pose::CageState& state);
+  pose::StageTimes move_whole(const pose::CageState& state);
 
   // If there is a coarse model, all members are of this model, except for whole_, positions_ and sample_.
   std::unique_ptr<FusedEngine> whole_;
-  std::vector<Vec3> positions_, sample_, coarse_ways_;
+  std::vector<Vec3> positions_, sample_, coarse_displacements_;
   base::WorkerPool& pool_;
   std::shared_ptr<const weights::Binding> bound_;
   std::shared_ptr<const weights::TiledBinding> binding_;
@@ -107,7 +107,7 @@ private:
   std::vector<std::uint32_t> slots_;  // slot of each vertex
   std::vector<std::size_t> held_;     // the vertices with holds
   weights::Shares shares_;
-  std::span<const Vec3> ways_;  // displacements of the shape
+  std::span<const Vec3> displacements_;  // displacements of the shape
   std::vector<double> sums_;
 };
 

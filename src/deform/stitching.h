@@ -89,8 +89,8 @@ struct Stitching {
     }
     return all;
   }
-  bool serves(const pose::Scheme& scheme) const {
-    return holding == scheme.holding && (!bound || bound->weighting == scheme.weighting);
+  bool serves(const pose::Deformer& deformer) const {
+    return holding == deformer.holding && (!bound || bound->weighting == deformer.weighting);
   }
 };
 
@@ -98,11 +98,11 @@ struct Stitching {
 std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Stitches the model to the cage's faces. Each handle pins its nearest triangle, and also the vertices at
-/// distances d < r from its centre: r is scheme.holding.radius * cage.size, and the weight of these pins is
-/// pin_strength * ((r - d) / r)^2. All vertices get a hold with weight scheme.holding.weight. Throws
+/// distances d < r from its centre: r is deformer.holding.radius * cage.size, and the weight of these pins is
+/// pin_strength * ((r - d) / r)^2. All vertices get a hold with weight deformer.holding.weight. Throws
 /// base::Error if the model has no vertices, or if its size is above 1e75 or below 1e-75. Throws
 /// base::Cancelled. Results do not depend on the number of threads.
 Stitching stitch(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
-                 const pose::Scheme& scheme = {}, base::Progress* progress = nullptr);
+                 const pose::Deformer& deformer = {}, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

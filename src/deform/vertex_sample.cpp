@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "deform/staged_engine.h"
+#include "pose/deformer.h"
 #include "pose/maps.h"
-#include "pose/scheme.h"
 #include "weights/bind.h"
 #include "weights/tiled_binding.h"
 
@@ -51,13 +51,13 @@ void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, con
 }  // namespace
 
 double sampled_error(const weights::Weigher& weigher, const weights::Binding& binding,
-                     const weights::Mask& mask, std::span<const Vec3> ways, const pose::Rows& rows,
+                     const weights::Mask& mask, std::span<const Vec3> displacements, const pose::Rows& rows,
                      const ProbeLayer* layer, std::span<const Vec3> shown) {
   const auto vertices = weights::spread_vertices(binding.vertices, weights::error_sample);
   auto exact = mesh::picked(std::span(*binding.rest), vertices);
   const weights::Binding part = bind_part(weigher, exact, binding.tiles->sample).binding;
   const weights::Shares shares = weights::product(part.shares, mesh::picked(weights::values(mask), vertices));
-  place_vertices({part, shares, mesh::picked(ways, vertices)}, rows, sym3::Method::fast, exact);
+  place_vertices({part, shares, mesh::picked(displacements, vertices)}, rows, sym3::Method::fast, exact);
   if (layer && layer->moves()) move_by(*layer, vertices, rows.origin, exact);
   double worst = 0;
   for (std::size_t i = 0; i < exact.size(); ++i)

@@ -38,11 +38,11 @@ VertexSum vertex_sum(const weights::Weigher& weigher, const weights::Binding& bi
 
 /// Returns the error of a frame: the largest distance of a vertex from its exact position, relative to the
 /// cage's diagonal. Compares the vertices of spread_vertices(n, error_sample). Exact positions are computed
-/// in double precision from exact weights. If `layer` is not null, it moves them. `ways` are the shape's
-/// displacements, see Engine::set_shape(). `shown` are the frame's positions of the compared vertices,
-/// relative to the rows' origin. For weights along the surface, binding.tiles must not be null.
+/// in double precision from exact weights. If `layer` is not null, it moves them. `displacements` are the
+/// shape's displacements, see Engine::set_shape(). `shown` are the frame's positions of the compared
+/// vertices, relative to the rows' origin. For weights along the surface, binding.tiles must not be null.
 double sampled_error(const weights::Weigher& weigher, const weights::Binding& binding,
-                     const weights::Mask& mask, std::span<const Vec3> ways, const pose::Rows& rows,
+                     const weights::Mask& mask, std::span<const Vec3> displacements, const pose::Rows& rows,
                      const ProbeLayer* layer, std::span<const Vec3> shown);
 
 /// Returns the blended logs of stretches, the input of the exponential, at up to `limit` vertices spread

@@ -203,7 +203,7 @@ void keep_still(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm
   for (const mesh::Point& p : rest) size = std::max(size, mesh::largest_abs(p));
   for (std::size_t v = 0; v < rest.size(); ++v) {
     const auto rests = [&](const shapes::LogTerm& term) {
-      return mesh::largest_abs(space.ways(*term.vector)[v]) == 0;
+      return mesh::largest_abs(space.displacements(*term.vector)[v]) == 0;
     };
     if (mesh::largest_abs(positions[v] - rest[v]) <= 1e-14 * size && std::ranges::all_of(terms, rests))
       positions[v] = rest[v];
@@ -218,7 +218,7 @@ void keep_flat(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm>
   for (std::size_t k = 0; k < 3; ++k) {
     const auto stays = [k](const mesh::Vec3& way) { return way[k] == 0; };
     const auto is_flat = [&](const shapes::LogTerm& term) {
-      return std::ranges::all_of(space.ways(*term.vector), stays);
+      return std::ranges::all_of(space.displacements(*term.vector), stays);
     };
     const bool flat = std::ranges::all_of(rest, [&](const mesh::Point& p) { return p[k] == rest[0][k]; });
     if (!flat || !std::ranges::all_of(terms, is_flat)) continue;

@@ -207,8 +207,8 @@ void Document::put_saved_cage(const std::filesystem::path& file) {
   state_.cage_file.format = "saved here";
 }
 
-void Document::put_scheme(const pose::Scheme& other) {
-  const pose::Scheme old = std::exchange(state_.scheme, other);
+void Document::put_deformer(const pose::Deformer& other) {
+  const pose::Deformer old = std::exchange(state_.deformer, other);
   if (old.weighting != other.weighting) ++revisions_.weights;
   if (old.blend != other.blend || old.weighting.elements != other.weighting.elements ||
       old.amounts != other.amounts || old.iterations != other.iterations || old.holding != other.holding)
@@ -221,18 +221,18 @@ void Document::put_method(sym3::Method other) {
 
 void Document::restore(DocumentState&& state) {
   if (cage() != state.cage) ++revisions_.cage;
-  const pose::Scheme restored = std::exchange(state.scheme, scheme());
+  const pose::Deformer restored = std::exchange(state.deformer, deformer());
   state_ = std::move(state);
   ++revisions_.pose;
   ++revisions_.whole;
   carried_.clear();
-  put_scheme(restored);
+  put_deformer(restored);
 }
 
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen) {
-  const pose::Scheme scheme = pose::scheme_of(asked, document.scheme(), chosen);
+  const pose::Deformer deformer = pose::deformer_of(asked, document.deformer(), chosen);
   if (asked.method) document.put_method(*asked.method);
-  document.put_scheme(scheme);
+  document.put_deformer(deformer);
 }
 
 mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex) {

@@ -20,8 +20,8 @@
 #include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "pose/cage.h"
+#include "pose/deformer.h"
 #include "pose/probe.h"
-#include "pose/scheme.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
 #include "weights/binding.h"
@@ -29,9 +29,9 @@
 namespace viete::document {
 
 using mesh::Summary;
-using pose::Amounts, pose::Blend, pose::Holding, pose::most_iterations, pose::number, pose::Scheme,
+using pose::Amounts, pose::Blend, pose::Holding, pose::most_iterations, pose::number, pose::Deformer,
     pose::text_of_percent, pose::Weighting;
-using pose::chosen, pose::complete, pose::linear_part, pose::only, pose::way_of;
+using pose::chosen, pose::complete, pose::linear_part, pose::only, pose::preset_of;
 using pose::Falloff, pose::Influence, pose::Probe, pose::ProbePose;
 
 /// A counter of changes. Code stores it with computed data, to see later whether the data is up to date.
@@ -69,7 +69,7 @@ public:
   /// See source_of().
   const PoseSource& source() const { return state_.source; }
   const std::optional<pose::Pose>& kept_pose() const { return state_.source.kept; }
-  const pose::Scheme& scheme() const { return state_.scheme; }
+  const pose::Deformer& deformer() const { return state_.deformer; }
   const weights::Mask& mask() const { return state_.mask; }
   const pose::Probes& probes() const { return state_.probes; }
   const Selection& selection() const { return state_.selection; }
@@ -129,7 +129,7 @@ public:
   void put_saved_model(const std::filesystem::path& file) { opened_.model.path = file; }
   void put_cage_beside(std::filesystem::path file) { opened_.cage_beside = std::move(file); }
   /// Change a setting without recording an edit.
-  void put_scheme(const pose::Scheme& other);
+  void put_deformer(const pose::Deformer& other);
   void put_method(sym3::Method other);
   void restore(DocumentState&& state);
 
@@ -171,12 +171,12 @@ Document open_document(const std::filesystem::path& model, const std::filesystem
                        base::Progress* progress = nullptr);
 
 /// The settings that were requested before a document is opened.
-struct RequestedSettings : pose::AskedScheme {
+struct RequestedSettings : pose::AskedDeformer {
   std::optional<sym3::Method> method{};
 
-  bool any() const { return method || AskedScheme::any(); }
+  bool any() const { return method || AskedDeformer::any(); }
 };
-/// Applies the settings without recording an edit. pose::scheme_of() describes `chosen` and the errors.
+/// Applies the settings without recording an edit. pose::deformer_of() describes `chosen` and the errors.
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 /// True during cage editing (cage_editing.h). During cage editing, document.pose is the rest shape that the

@@ -17,8 +17,8 @@
 #include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "pose/cage.h"
+#include "pose/deformer.h"
 #include "pose/probe.h"
-#include "pose/scheme.h"
 #include "weights/binding.h"
 
 namespace viete::document {
@@ -111,7 +111,7 @@ struct DocumentState {
   pose::Pose pose;
   SharedShape shape;  ///< the model's shape before cage and probes act; null at rest
   PoseSource source;
-  pose::Scheme scheme = pose::default_scheme();
+  pose::Deformer deformer = pose::default_deformer();
   weights::Mask mask;  ///< one value per model vertex; if null, every vertex follows the cage
   pose::Probes probes;
   Selection selection;

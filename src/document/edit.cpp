@@ -20,10 +20,10 @@ EditStep binding_step(Setting setting) {
 
 template <class Place, class Value>
 void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
-  pose::Scheme scheme = document.scheme();
-  if (std::exchange(*place(scheme), value) == value) return;
+  pose::Deformer deformer = document.deformer();
+  if (std::exchange(*place(deformer), value) == value) return;
   record_step(document, label, step);
-  document.put_scheme(scheme);
+  document.put_deformer(deformer);
 }
 
 }  // namespace
@@ -63,33 +63,33 @@ void select_kind(Document& document, ElementKind kind) {
                               : Selection(kind));
 }
 
-void set_scheme(Document& document, const pose::Scheme& scheme) {
-  if (document.scheme() == scheme) return;
+void set_deformer(Document& document, const pose::Deformer& deformer) {
+  if (document.deformer() == deformer) return;
   record_edit(document, "change blending", binding_step(Setting::blending));
-  document.put_scheme(scheme);
+  document.put_deformer(deformer);
 }
 
 void set_radius(Document& document, double radius) {
   slide(document, "change radius", binding_step(Setting::radius), radius,
-        [](pose::Scheme& scheme) { return &scheme.weighting.radius; });
+        [](pose::Deformer& deformer) { return &deformer.weighting.radius; });
 }
 
 void set_amounts(Document& document, const pose::Amounts& amounts) {
   slide(document, "change rotation and stretch amounts", {EditKind::amounts}, amounts,
-        [](pose::Scheme& scheme) { return &scheme.amounts; });
+        [](pose::Deformer& deformer) { return &deformer.amounts; });
 }
 
 void set_iterations(Document& document, int iterations) {
   slide(document, "change ARAP", binding_step(Setting::iterations), iterations,
-        [](pose::Scheme& scheme) { return &scheme.iterations; });
+        [](pose::Deformer& deformer) { return &deformer.iterations; });
 }
 
 void set_holding(Document& document, const pose::Holding& holding) {
   slide(document, "change ARAP constraints", binding_step(Setting::holding), holding,
-        [](pose::Scheme& scheme) { return &scheme.holding; });
+        [](pose::Deformer& deformer) { return &deformer.holding; });
 }
 
-void revert_scheme(Document& document, const pose::Scheme& instead) {
+void revert_deformer(Document& document, const pose::Deformer& instead) {
   History& history = document.changed_history();
   const auto last = history.last_step();
   if (last && last->kind == EditKind::binding) {
@@ -97,7 +97,7 @@ void revert_scheme(Document& document, const pose::Scheme& instead) {
   } else {
     history.extend_last();
   }
-  document.put_scheme(instead);
+  document.put_deformer(instead);
 }
 
 }  // namespace viete::document

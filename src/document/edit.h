@@ -19,16 +19,17 @@ void reset_selected(Document& document, const Mirror* mirror = nullptr);
 /// selected. If the old or the new kind is `probe`, clears the selection. Undoable.
 void select_kind(Document& document, ElementKind kind);
 
-void set_scheme(Document& document, const pose::Scheme& scheme);
+void set_deformer(Document& document, const pose::Deformer& deformer);
 
 /// Set one setting of the deformer. Undoable. Consecutive changes of one setting form one edit.
 void set_radius(Document& document, double radius);
 void set_amounts(Document& document, const pose::Amounts& amounts);
-/// Sets Scheme::iterations, at most pose::most_iterations. 0 turns ARAP off. ARAP requires a
-/// scheme with Scheme::has_maps().
+/// Sets Deformer::iterations, at most pose::most_iterations. 0 turns ARAP off. ARAP requires a
+/// deformer with Deformer::has_maps().
 void set_iterations(Document& document, int iterations);
 void set_holding(Document& document, const pose::Holding& holding);
-/// Sets the scheme to `instead` after binding failed. If the last edit changed the scheme, removes the edit.
-void revert_scheme(Document& document, const pose::Scheme& instead);
+/// Sets the deformer to `instead` after binding failed. If the last edit changed the deformer, removes the
+/// edit.
+void revert_deformer(Document& document, const pose::Deformer& instead);
 
 }  // namespace viete::document

@@ -6,7 +6,7 @@
 #include "analysis/field.h"
 #include "base/choice.h"
 #include "document/camera.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "sym3/exp.h"
 
 namespace viete::document {
@@ -36,23 +36,23 @@ struct ViewOptions {
 };
 
 /// The settings of an additional view. The first view has the document's settings.
-struct SideWay {
-  pose::Scheme scheme;
+struct SideView {
+  pose::Deformer deformer;
   sym3::Method method = sym3::Method::fast;
   analysis::Field field = analysis::Field::none;
   /// If true, uses the blending that the document does not use: linear instead of log space, or the reverse.
   bool other_blending = false;
 
-  friend bool operator==(const SideWay&, const SideWay&) = default;
+  friend bool operator==(const SideView&, const SideView&) = default;
 };
 
-struct SideWays {
+struct SideViews {
   static constexpr std::size_t most = 3;
 
-  std::vector<SideWay> sides;       ///< the additional views; no more than `most`
+  std::vector<SideView> sides;      ///< the additional views; no more than `most`
   std::vector<CameraPose> cameras;  ///< one for each additional view; if empty, all views share one camera
 
-  friend bool operator==(const SideWays&, const SideWays&) = default;
+  friend bool operator==(const SideViews&, const SideViews&) = default;
 };
 
 }  // namespace viete::document

@@ -6,7 +6,7 @@
 
 #include "base/memory.h"
 #include "document/checks.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "weights/bind.h"
 #include "weights/tiled_binding.h"
 
@@ -31,21 +31,23 @@ document::WholePose AnimatedModel::pose(double frame) const {
 }
 
 bool AnimatedModel::can_fuse() const {
-  if (!has_cage() || pose::engine_for(model_.scheme, model_.method) != pose::EngineKind::fused) return false;
-  const std::size_t handles = pose::handle_count(*model_.cage, model_.scheme.weighting.elements);
+  if (!has_cage() || pose::engine_for(model_.deformer, model_.method) != pose::EngineKind::fused)
+    return false;
+  const std::size_t handles = pose::handle_count(*model_.cage, model_.deformer.weighting.elements);
   const double weights =
       4.0 * static_cast<double>(handles) * static_cast<double>(model_.model->positions.size());
   return weights < 0.5 * base::free_memory().value_or(0);
 }
 
 void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
-  const pose::Weighting& weighting = model_.scheme.weighting;
+  const pose::Weighting& weighting = model_.deformer.weighting;
   constexpr double uncompressed = 0;  // compression would add more error than rounding to float
   auto tiles = std::make_shared<const weights::TiledBinding>(
       weights::bind_tiles(*model_.model, *model_.cage, weighting, pool_, uncompressed, progress));
   auto binding = std::make_shared<const weights::Binding>(
       weights::with_tiles(model_.model, *model_.cage, std::move(tiles)));
-  deformer_ = std::make_unique<deform::Deformer>(model_.cage, std::move(binding), model_.scheme, pool_);
+  deformer_ =
+      std::make_unique<deform::FrameDeformer>(model_.cage, std::move(binding), model_.deformer, pool_);
   deformer_->set_mask(model_.mask);
   for (const double frame : tried) run_fast(frame);
   if (fast_error() <= most) return;
@@ -75,8 +77,8 @@ deform::ExactModel AnimatedModel::exact(const document::WholePose& pose, base::P
   }
   using deform::ExactDeformer;
   if (!exact_)
-    exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,
-                                             ExactDeformer::Weights::kept, model_.mask, progress);
+    exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.deformer, model_.method,
+                                             pool_, ExactDeformer::Weights::kept, model_.mask, progress);
   deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), pose.shape, progress);
   take_notes(deformed.report, pose, deformed.warnings);
   if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())

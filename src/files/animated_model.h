@@ -9,8 +9,8 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/deformer.h"
 #include "deform/exact.h"
+#include "deform/frame_deformer.h"
 #include "document/animation.h"
 #include "files/export.h"
 
@@ -64,9 +64,9 @@ private:
   base::WorkerPool& pool_;
   document::VectorCache vectors_;
   std::optional<document::Animation> animation_;
-  std::unique_ptr<deform::Deformer> deformer_;    // null for Precision::exact
-  std::unique_ptr<deform::ExactDeformer> exact_;  // created when first needed
-  double error_ = 0;                              // the largest sampled error so far
+  std::unique_ptr<deform::FrameDeformer> deformer_;  // null for Precision::exact
+  std::unique_ptr<deform::ExactDeformer> exact_;     // created when first needed
+  double error_ = 0;                                 // the largest sampled error so far
   double rounding_ = 0;
   std::vector<float> floats_;
   std::vector<std::string> notes_;

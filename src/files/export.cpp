@@ -22,7 +22,7 @@ Export export_of(const document::Document& document, const std::filesystem::path
              document.model().original,
              document.cage(),
              real_pose(document),
-             document.scheme(),
+             document.deformer(),
              document.method(),
              document.mask(),
              document.probes(),
@@ -32,7 +32,7 @@ Export export_of(const document::Document& document, const std::filesystem::path
   if (document.has_cage()) return all;
   all.cage = std::make_shared<const pose::Cage>(pose::no_cage(document.model().bounds));
   all.pose = pose::rest_pose(*all.cage);
-  all.scheme = pose::no_motion();
+  all.deformer = pose::no_motion();
   return all;
 }
 
@@ -75,7 +75,7 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
   base::WorkerPool pool;
   if (progress) progress->section(0, 0.5);
   deform::ExactModel deformed =
-      deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose, what.method, pool, progress,
+      deform::deform_exactly(*what.model, what.cage, what.deformer, what.pose, what.method, pool, progress,
                              what.mask, what.probes, what.shape);
   if (progress) progress->section(0.5, 1);
   return write_exact(what, std::move(deformed), progress);

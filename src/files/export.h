@@ -22,7 +22,7 @@ struct Export {
   std::shared_ptr<const formats::Original> original;      ///< original of the model; may be null
   std::shared_ptr<const pose::Cage> cage;                 ///< no_cage() if the model has no cage
   pose::Pose pose;
-  pose::Scheme scheme;
+  pose::Deformer deformer;
   sym3::Method method;
   weights::Mask mask;
   pose::Probes probes;

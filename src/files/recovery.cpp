@@ -26,7 +26,7 @@ Session work_of(const Session& session) {
   Session work;
   work.model.path = session.model.path;
   work.cage_file.path = session.cage_file.path, work.cage_file.surface = session.cage_file.surface;
-  work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
+  work.deformer = session.deformer, work.mask = session.mask, work.probes = session.probes;
   work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
   work.shape = session.shape, work.pose = session.pose;
   return work;

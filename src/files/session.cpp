@@ -77,24 +77,25 @@ static void code(const JsonField& f, document::CameraPose& camera) {
 }
 
 // Reads or writes members of the enclosing object. A missing `weights` or `blend` gets a default.
-static void code(const JsonField& f, pose::Scheme& scheme) {
+static void code(const JsonField& f, pose::Deformer& deformer) {
   pose::PartialChoice choice;
-  if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
+  if (!f.reads()) choice = {deformer.weighting.weights, deformer.blend};
   f.member("weights", choice.weights);
   f.member("blend", choice.blend);
   if (f.reads()) {
     try {
-      scheme = pose::complete(choice);
+      deformer = pose::complete(choice);
     } catch (const base::Error& error) {
       f.in().at("blend").fail(error.problem());
     }
   }
-  f.unless(0, "iterations", scheme.iterations, Limits{1, pose::most_iterations});
-  pose::Scheme usual;
+  f.unless(0, "iterations", deformer.iterations, Limits{1, pose::most_iterations});
+  pose::Deformer usual;
   for (const pose::NumberEntry& number : pose::all_numbers())
-    f.unless(number.of(usual), number.word.data(), number.of(scheme), percent(number.least, number.largest));
+    f.unless(number.of(usual), number.word.data(), number.of(deformer),
+             percent(number.least, number.largest));
   if (!f.reads()) return;
-  if (const auto reason = pose::conflict(scheme)) f.in().at("iterations").fail(std::string(*reason));
+  if (const auto reason = pose::conflict(deformer)) f.in().at("iterations").fail(std::string(*reason));
 }
 
 static void code(const JsonField& f, document::ViewOptions& view) {
@@ -103,17 +104,17 @@ static void code(const JsonField& f, document::ViewOptions& view) {
   f.unless(analysis::Field::none, "field", view.field);
 }
 
-static void code(const JsonField& f, document::SideWay& side) {
+static void code(const JsonField& f, document::SideView& side) {
   f.member("method", side.method);
-  code(f, side.scheme);
+  code(f, side.deformer);
   f.unless(analysis::Field::none, "field", side.field);
   f.unless(false, "other_lines", side.other_blending);
 }
 
 // If "cameras" is missing, all views share one camera.
-static void code(const JsonField& f, document::SideWays& sides) {
-  f.unless({}, "views", sides.sides, document::SideWays::most);
-  f.unless({}, "cameras", sides.cameras, document::SideWays::most);
+static void code(const JsonField& f, document::SideViews& sides) {
+  f.unless({}, "views", sides.sides, document::SideViews::most);
+  f.unless({}, "cameras", sides.cameras, document::SideViews::most);
   if (f.reads() && !sides.cameras.empty() && sides.cameras.size() != sides.sides.size())
     f.in().at("cameras").fail("there must be one camera for each additional view");
 }
@@ -351,7 +352,7 @@ void code_session(const JsonField& f, Session& s, const Place& place) {
     f.unless(std::nullopt, "session_content", s.origin_content);
   }
   f.member("method", s.method);
-  code(f, s.scheme);
+  code(f, s.deformer);
   f.unless(nullptr, "mask", s.mask);
   f.unless({}, "probes", s.probes);
   f.unless(std::nullopt, "camera", s.camera);

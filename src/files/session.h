@@ -27,7 +27,7 @@ struct Session : document::DocumentState {
   sym3::Method method = sym3::Method::fast;
   std::optional<document::CameraPose> camera;  ///< if missing, the camera shows the whole model
   document::ViewOptions view;
-  document::SideWays sides;
+  document::SideViews sides;
   document::Handling handling;
   std::optional<glm::ivec2> window;  ///< size in logical pixels
   std::vector<std::string> notes;    ///< about the file; not written

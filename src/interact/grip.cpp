@@ -252,7 +252,7 @@ namespace {
 
 mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, const mesh::Point& p) {
   const Gripped& g = grip.vertices[i];
-  if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
+  if (!grip.shaping.displacements.empty()) return p + g.share * amount * grip.shaping.displacements[i];
   // The amount that changes nothing is 1 for taper (a factor), and 0 for other shapes.
   const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
   return moved([&](const mesh::Point& at) { return shaped(grip.shaping, own, at); }, g.side, grip.plane, p);

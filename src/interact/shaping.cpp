@@ -44,7 +44,7 @@ void put_ends(const document::Document& document, const Grip& grip, bool at_medi
   shaping.hinge = hinge.value_or(plane_axes(glm::normalize(way)).u);
 }
 
-std::vector<mesh::Vec3> smoothing_ways(const document::Document& document, const Grip& grip) {
+std::vector<mesh::Vec3> smoothing_displacements(const document::Document& document, const Grip& grip) {
   const auto& positions = document.pose().positions;
   std::vector<mesh::Point> sums(positions.size(), {0, 0, 0});
   std::vector<double> counts(positions.size(), 0);
@@ -52,19 +52,20 @@ std::vector<mesh::Vec3> smoothing_ways(const document::Document& document, const
     sums[a] = sums[a] + positions[b], sums[b] = sums[b] + positions[a];
     ++counts[a], ++counts[b];
   }
-  std::vector<mesh::Vec3> ways;
+  std::vector<mesh::Vec3> displacements;
   for (const Gripped& g : grip.vertices) {
     const auto v = g.vertex;
-    ways.push_back(counts[v] > 0 ? 1 / counts[v] * sums[v] - positions[v] : mesh::Vec3{0, 0, 0});
+    displacements.push_back(counts[v] > 0 ? 1 / counts[v] * sums[v] - positions[v] : mesh::Vec3{0, 0, 0});
   }
-  return ways;
+  return displacements;
 }
 
-std::vector<mesh::Vec3> relaxing_ways(const document::Document& document, const Grip& grip) {
-  std::vector<mesh::Vec3> ways;
+std::vector<mesh::Vec3> relaxing_displacements(const document::Document& document, const Grip& grip) {
+  std::vector<mesh::Vec3> displacements;
   for (const Gripped& g : grip.vertices)
-    ways.push_back(document.cage()->surface.positions[g.vertex] - document.pose().positions[g.vertex]);
-  return ways;
+    displacements.push_back(document.cage()->surface.positions[g.vertex] -
+                            document.pose().positions[g.vertex]);
+  return displacements;
 }
 
 }  // namespace
@@ -78,8 +79,8 @@ Shaping shaping_of(const document::Document& document, Shape shape, const Grip& 
     case Shape::bend:
     case Shape::twist:
     case Shape::taper: put_ends(document, grip, at_median, camera, shaping); break;
-    case Shape::smooth: shaping.ways = smoothing_ways(document, grip); break;
-    case Shape::relax: shaping.ways = relaxing_ways(document, grip); break;
+    case Shape::smooth: shaping.displacements = smoothing_displacements(document, grip); break;
+    case Shape::relax: shaping.displacements = relaxing_displacements(document, grip); break;
   }
   return shaping;
 }

@@ -66,8 +66,9 @@ struct Shaping {
   Shape shape = Shape::none;
   /// The fixed end and the moving end, in file coordinates. The effect grows linearly from `from` to `to`.
   glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
-  glm::dvec3 hinge{0, 0, 1};     ///< the bending axis, of length 1, perpendicular to `to - from`
-  std::vector<mesh::Vec3> ways;  ///< for smooth and relax: each grip vertex's displacement for the amount 1
+  glm::dvec3 hinge{0, 0, 1};  ///< the bending axis, of length 1, perpendicular to `to - from`
+  std::vector<mesh::Vec3>
+      displacements;  ///< for smooth and relax: each grip vertex's displacement for the amount 1
 };
 
 mesh::Point shaped(const Shaping& shaping, double amount, const mesh::Point& p);

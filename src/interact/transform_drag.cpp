@@ -255,7 +255,7 @@ Transform TransformDrag::typed(double value) const {
   if (is_angle(grip_.shaping.shape)) {
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
   } else if (grip_.shaping.shape != Shape::none) {
-    t.amount = grip_.shaping.ways.empty() ? value : value / 100;
+    t.amount = grip_.shaping.displacements.empty() ? value : value / 100;
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
@@ -302,7 +302,7 @@ void TransformDrag::cancel(document::Document& document) const {
 
 std::string TransformDrag::shaped_amount() const {
   if (is_angle(grip_.shaping.shape)) return print("%.1f", transform_.degrees) + "\u00b0";
-  if (grip_.shaping.ways.empty()) return print("%.2f", transform_.amount);
+  if (grip_.shaping.displacements.empty()) return print("%.2f", transform_.amount);
   return print("%.0f %%", 100 * transform_.amount);
 }
 

@@ -8,12 +8,12 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "base/worker_pool.h"
-#include "deform/deformer.h"
 #include "deform/exact.h"
+#include "deform/frame_deformer.h"
 #include "files/export.h"
 #include "library/arguments.h"
 #include "mesh/normals.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "weights/bind.h"
 #include "weights/binding.h"
 
@@ -26,10 +26,10 @@ void take(const std::string& name, const char* what, std::optional<Value>& value
   if (!name.empty()) value = library::named<Value>(name, what);
 }
 
-pose::Scheme scheme_of(const Blending& b, bool has_triangles) {
-  pose::AskedScheme asked;
+pose::Deformer deformer_of(const Blending& b, bool has_triangles) {
+  pose::AskedDeformer asked;
   // Smooth weights spread along the surface. A model without faces therefore gets another default deformer.
-  if (has_triangles || b.deformer != Blending{}.deformer) take(b.deformer, "deformer", asked.way);
+  if (has_triangles || b.deformer != Blending{}.deformer) take(b.deformer, "deformer", asked.preset);
   take(b.weights, "weights", asked.choice.weights);
   take(b.blend, "blend", asked.choice.blend);
   asked.radius = b.radius, asked.rotation = b.rotation, asked.stretch = b.stretch;
@@ -38,7 +38,7 @@ pose::Scheme scheme_of(const Blending& b, bool has_triangles) {
     if (const auto& value = asked.*number.asked)
       library::check_range(number.word.data(), *value, number.least, number.largest);
   if (b.iterations) library::check_range("iterations", *b.iterations, 1, pose::most_iterations);
-  return pose::scheme_of(asked, pose::default_scheme(has_triangles));
+  return pose::deformer_of(asked, pose::default_deformer(has_triangles));
 }
 
 sym3::Method method_of(const std::string& name) {
@@ -77,7 +77,7 @@ std::string library::settings_text() {
     text += "\n" + title;
     for (const base::Choice& value : values) add(value.word, value.hint);
   };
-  list("deformer: decides how the cage moves the model.", choices(pose::Way{}));
+  list("deformer: decides how the cage moves the model.", choices(pose::Preset{}));
   list("weights: replaces the weights of the deformer. Some weights allow only some blends.",
        choices(pose::Weights{}));
   list("blend: replaces the blend of the deformer.", choices(pose::Blend{}));
@@ -98,7 +98,7 @@ struct Deformer::Impl {
       : model(library::deformable_surface_of(m, "the model")),
         cage(std::make_shared<const pose::Cage>(
             pose::make_cage(library::deformable_surface_of(c, "the cage")))),
-        scheme(scheme_of(blending, !model.triangles.empty())),
+        deformer(deformer_of(blending, !model.triangles.empty())),
         method(method_of(blending.method)),
         pool(library::checked_threads(threads)),
         notes(cage->warnings) {}
@@ -116,32 +116,33 @@ struct Deformer::Impl {
 
   deform::ExactDeformer& exact(base::Progress* progress = nullptr) {
     if (!exact_)
-      exact_ = std::make_unique<deform::ExactDeformer>(model, cage, scheme, method, pool,
+      exact_ = std::make_unique<deform::ExactDeformer>(model, cage, deformer, method, pool,
                                                        deform::ExactDeformer::Weights::kept, mask, progress);
     return *exact_;
   }
 
-  deform::Deformer& live(base::Progress* progress = nullptr) {
+  deform::FrameDeformer& live(base::Progress* progress = nullptr) {
     if (live_) return *live_;
-    const bool staged = pose::engine_for(scheme, method) == pose::EngineKind::staged;
+    const bool staged = pose::engine_for(deformer, method) == pose::EngineKind::staged;
     auto binding = std::make_shared<const weights::Binding>(weights::bind(
-        mesh::lent(model), *cage, scheme.weighting, pose::EngineKind::fused, nullptr, pool, progress));
+        mesh::lent(model), *cage, deformer.weighting, pose::EngineKind::fused, nullptr, pool, progress));
     if (staged)
       binding = std::make_shared<const weights::Binding>(
-          weights::bind(mesh::lent(model), *cage, scheme.weighting, pose::EngineKind::staged, binding.get(),
+          weights::bind(mesh::lent(model), *cage, deformer.weighting, pose::EngineKind::staged, binding.get(),
                         pool, progress));
     std::shared_ptr<const deform::Stitching> stitching;
-    if (scheme.stitched())
+    if (deformer.stitched())
       stitching =
-          std::make_shared<const deform::Stitching>(deform::stitch(model, *cage, pool, scheme, progress));
-    live_ = std::make_unique<deform::Deformer>(cage, std::move(binding), scheme, pool, std::move(stitching));
+          std::make_shared<const deform::Stitching>(deform::stitch(model, *cage, pool, deformer, progress));
+    live_ = std::make_unique<deform::FrameDeformer>(cage, std::move(binding), deformer, pool,
+                                                    std::move(stitching));
     live_->set_mask(mask), live_->set_shape(shape);
     return *live_;
   }
 
   mesh::Surface model;
   std::shared_ptr<const pose::Cage> cage;
-  pose::Scheme scheme;
+  pose::Deformer deformer;
   sym3::Method method;
   base::WorkerPool pool;
   std::vector<std::string> notes;
@@ -149,7 +150,7 @@ struct Deformer::Impl {
   weights::Mask mask;
   weights::SharedShape shape;
   std::unique_ptr<deform::ExactDeformer> exact_;  // created by exact(); live_ is created by live()
-  std::unique_ptr<deform::Deformer> live_;
+  std::unique_ptr<deform::FrameDeformer> live_;
 };
 
 Deformer::Deformer(const Mesh& model, const Mesh& cage, const Blending& blending, int threads)
@@ -194,7 +195,7 @@ void Deformer::deform(std::span<const double> cage, std::span<float> positions, 
   const base::ForkDelay delay;
   check_sizes(positions.size(), normals.size(), vertex_count());
   const pose::Pose pose = impl_->pose(cage, turns);
-  deform::Deformer& live = impl_->live();
+  deform::FrameDeformer& live = impl_->live();
   live.deform(pose, impl_->method);
   Impl::keep_turns(live.state().report(), turns);
   const auto vertices = live.vertices();

@@ -78,7 +78,7 @@ struct FinError : base::Error {
 Cage make_cage(mesh::Surface surface);
 
 /// A placeholder for a missing cage: two vertices at opposite corners of the box, and no elements. With the
-/// scheme no_motion(), only probes move the model. The box must not be empty.
+/// deformer no_motion(), only probes move the model. The box must not be empty.
 Cage no_cage(const mesh::Bounds& box);
 
 /// The longest valid turn vector in a file, in radians.

@@ -193,7 +193,7 @@ bool CageState::set_maps(const Pose& pose, bool few) {
   base::Stopwatch watch;
   const std::span<const std::uint32_t> moved = few ? moving_ : all_;
   compute_maps(pose.positions, origin_, moved);
-  times_[Link::maps] = watch.lap_ms();
+  times_[Stage::maps] = watch.lap_ms();
   if (!takes_logs()) {
     report_ = {pose.turns, {}, {}};
     for (const auto h : moved) write_row_of(h);
@@ -204,7 +204,7 @@ bool CageState::set_maps(const Pose& pose, bool few) {
   log_maps(*cage_, maps_, splits_, pose.turns, logs_, report_);
   const bool others_moved = !few || !others_stayed();
   for (const auto h : others_moved ? std::span<const std::uint32_t>(all_) : moved) write_row_of(h);
-  times_[Link::log_maps] = watch.lap_ms();
+  times_[Stage::log_maps] = watch.lap_ms();
   return others_moved;
 }
 

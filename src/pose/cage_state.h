@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "pose/cage.h"
-#include "pose/links.h"
+#include "pose/deformer.h"
 #include "pose/maps.h"
 #include "pose/patch_maps.h"
 #include "pose/rows.h"
-#include "pose/scheme.h"
+#include "pose/stages.h"
 
 namespace viete::pose {
 
@@ -69,7 +69,7 @@ public:
   unsigned long resting_revision() const { return resting_revision_; }
   /// The report of the last pose. If the rows do not use logs, the report contains only turns.
   const LogReport& report() const { return report_; }
-  const LinkTimes& times() const { return times_; }
+  const StageTimes& times() const { return times_; }
 
 private:
   // Update all handles or, if `few`, only moving_. Return true if rows outside moving_ may have changed.
@@ -97,7 +97,7 @@ private:
   std::vector<Vec3> rest_centers_;  // relative to the middle of the rest cage
   unsigned long resting_revision_ = 0;
   LogReport report_;
-  LinkTimes times_;
+  StageTimes times_;
 };
 
 }  // namespace viete::pose

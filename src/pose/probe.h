@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pose/cage.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "sym3/rotation.h"
 #include "sym3/sym3.h"
 

@@ -74,7 +74,7 @@ ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVecto
   if (joined_) {
     for (const LogVector* example : examples_) {
       std::vector<mesh::Point> shape = space_.rest();
-      for (std::size_t v = 0; v < shape.size(); ++v) shape[v] = shape[v] + space.ways(*example)[v];
+      for (std::size_t v = 0; v < shape.size(); ++v) shape[v] = shape[v] + space.displacements(*example)[v];
       vectors_.push_back(space_.vector(shape, pool));
     }
     for (std::size_t e = 0; e < vectors_.size(); ++e) examples_[e] = &vectors_[e];
@@ -107,7 +107,7 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   turns_ = true;
   if (space_.coarse()) model_positions_.assign(shape.begin(), shape.end());
   positions_ = space_.solved(shape, pool_);
-  work_.ways.resize(positions_.size());  // makes show() fit rotations to positions_
+  work_.displacements.resize(positions_.size());  // makes show() fit rotations to positions_
 }
 
 // Returns the vertex as a weighted sum of the vertices of the log space.
@@ -177,7 +177,7 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   energy_ = std::numeric_limits<double>::infinity();
   columns_.clear(), part_of_pin_.clear();
   LogSpace::Work work;
-  work.ways.resize(rest.size());
+  work.displacements.resize(rest.size());
   for (std::size_t first = 0; first < pins_.size(); first += 3) {
     const std::size_t count = std::min<std::size_t>(3, pins_.size() - first);
     work.right.assign(rest.size(), Vec3{0, 0, 0});
@@ -186,7 +186,7 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
     logs.solve(work);
     for (std::size_t j = 0; j < count; ++j) {
       auto& column = columns_.emplace_back();
-      for (const Vec3& w : work.ways) column.push_back(w[j]);
+      for (const Vec3& w : work.displacements) column.push_back(w[j]);
     }
   }
   std::vector<std::uint32_t> part_of(rest.size());
@@ -414,16 +414,16 @@ double ExamplePosing::show(const PosingSettings& settings) {
   for (std::size_t e = 0; e < examples_.size(); ++e) rows.push_back({leftovers_[e][0].data(), weights_[e]});
   plane_kernel(sym3::kernel()).add_rows(rows.data(), rows.size(), 3 * rest.size(), left_[0].data());
   for (Vec3& left : left_) left = pose::times(g, left);
-  const bool fits = settings.freedom > 0 && !work_.ways.empty();
+  const bool fits = settings.freedom > 0 && !work_.displacements.empty();
   before_.clear();
   if (fits) {
     before_ = positions_;
-    for (std::size_t v = 0; v < rest.size(); ++v) work_.ways[v] = positions_[v] - rest[v] - left_[v];
+    for (std::size_t v = 0; v < rest.size(); ++v) work_.displacements[v] = positions_[v] - rest[v] - left_[v];
     logs.follow_fitted(sum, settings.freedom, pool_, work_, &turn_);
   } else {
     logs.follow(sum, pool_, work_, &turn_);
   }
-  for (std::size_t v = 0; v < rest.size(); ++v) positions_[v] = rest[v] + work_.ways[v] + left_[v];
+  for (std::size_t v = 0; v < rest.size(); ++v) positions_[v] = rest[v] + work_.displacements[v] + left_[v];
   reach_targets();
   place_other_parts();
   if (space_.coarse()) follow_clusters(sum);
@@ -491,7 +491,8 @@ void ExamplePosing::place_other_parts() {
   const LogSpace& logs = space_.logs();
   const auto straight = [&](std::size_t v) {
     Vec3 place = logs.rest()[v];
-    for (std::size_t e = 0; e < examples_.size(); ++e) place = place + weights_[e] * examples_[e]->ways[v];
+    for (std::size_t e = 0; e < examples_.size(); ++e)
+      place = place + weights_[e] * examples_[e]->displacements[v];
     return place;
   };
   for (std::uint32_t part = 0; part < logs.parts().count(); ++part) {

@@ -45,17 +45,17 @@ Eigen::Matrix3d inverse_where_large(const Eigen::Matrix3d& m) {
 }
 
 AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double> weights,
-                 std::span<const Vec3> places, std::span<const Vec3> ways) {
+                 std::span<const Vec3> places, std::span<const Vec3> displacements) {
   AffineFit fit;
   Vec3 mean{0, 0, 0};
   for (const auto v : vertices) {
     fit.center = fit.center + weights[v] * places[v];
-    mean = mean + weights[v] * ways[v];
+    mean = mean + weights[v] * displacements[v];
   }
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(), across = Eigen::Matrix3d::Zero();
   double all = 0;
   for (const auto v : vertices) {
-    const Eigen::Vector3d x = eigen(places[v] - fit.center), d = eigen(ways[v] - mean);
+    const Eigen::Vector3d x = eigen(places[v] - fit.center), d = eigen(displacements[v] - mean);
     spread += weights[v] * x * x.transpose();
     across += weights[v] * d * x.transpose();
     all += weights[v] * d.squaredNorm();
@@ -79,7 +79,7 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 
 // Multiplies the weights by a linear function of the positions, so that the weighted mean of the positions is
 // the fixed point of the fitted affine map.
-Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
+Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> displacements,
           std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());
   Held held(from.size());
@@ -92,7 +92,7 @@ Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const
         total += held[v] = parts.masses[v] / (moved * moved);
       }
       for (const auto v : vertices) held[v] /= total;
-      const AffineFit fit = fit_of(vertices, held, from, ways);
+      const AffineFit fit = fit_of(vertices, held, from, displacements);
       const Eigen::Vector3d slope = fit.inverse_spread * fit.to_fixed_point;
       for (const auto v : vertices) held[v] *= 1 + slope.dot(eigen(from[v] - fit.center));
     }
@@ -100,21 +100,23 @@ Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const
   return held;
 }
 
-void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways) {
+void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight,
+          std::span<Vec3> displacements) {
   for (std::size_t part = 0; part < parts.count(); ++part) {
     Vec3 missing{0, 0, 0};
-    for (const auto v : parts.vertices.of(part)) missing = missing + held[v] * (straight[v] - ways[v]);
-    for (const auto v : parts.vertices.of(part)) ways[v] = ways[v] + missing;
+    for (const auto v : parts.vertices.of(part))
+      missing = missing + held[v] * (straight[v] - displacements[v]);
+    for (const auto v : parts.vertices.of(part)) displacements[v] = displacements[v] + missing;
   }
 }
 
-void center(const HangingParts& parts, std::span<Vec3> ways) {
+void center(const HangingParts& parts, std::span<Vec3> displacements) {
   for (std::size_t part = 0; part < parts.count(); ++part) {
     const auto vertices = parts.vertices.of(part);
     Vec3 mean{0, 0, 0};
-    for (const auto v : vertices) mean = mean + ways[v];
+    for (const auto v : vertices) mean = mean + displacements[v];
     mean = (1 / static_cast<double>(vertices.size())) * mean;
-    for (const auto v : vertices) ways[v] = ways[v] - mean;
+    for (const auto v : vertices) displacements[v] = displacements[v] - mean;
   }
 }
 

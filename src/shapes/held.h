@@ -25,15 +25,17 @@ struct HangingParts {
 /// moves least: for a rotation, a point on the axis.
 using Held = std::vector<double>;
 
-/// Returns the anchors of a motion with the displacements `ways` from the positions `from`. `squares` tells
-/// how far each vertex moves: usually the squared lengths of `ways`.
-Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
+/// Returns the anchors of a motion with the displacements `displacements` from the positions `from`.
+/// `squares` tells how far each vertex moves: usually the squared lengths of `displacements`.
+Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> displacements,
           std::span<const double> squares);
 
-/// Translates each part in `ways` so that its anchor has equal displacements in `ways` and `straight`.
-void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways);
+/// Translates each part in `displacements` so that its anchor has equal displacements in `displacements` and
+/// `straight`.
+void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight,
+          std::span<Vec3> displacements);
 
-/// Translates each part in `ways` so that the mean displacement of the part is 0.
-void center(const HangingParts& parts, std::span<Vec3> ways);
+/// Translates each part in `displacements` so that the mean displacement of the part is 0.
+void center(const HangingParts& parts, std::span<Vec3> displacements);
 
 }  // namespace viete::shapes

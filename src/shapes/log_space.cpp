@@ -109,7 +109,7 @@ private:
   void read_posed_side(std::size_t count, const At& at, const Plane* sides, std::size_t k) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto& corners = space_.placed_[at(i)];
-      const Vec3 way = work_.ways[corners[(k + 1) % 3]] - work_.ways[corners[(k + 2) % 3]];
+      const Vec3 way = work_.displacements[corners[(k + 1) % 3]] - work_.displacements[corners[(k + 2) % 3]];
       for (std::size_t j = 0; j < 3; ++j) posed_[3 * k + j][i] = sides[3 * k + j][i] + way[j];
     }
   }
@@ -261,13 +261,13 @@ void LogSpace::find_parts(mesh::UnionFind sets) {
 LogVector LogSpace::at_rest() const {
   LogVector vector;
   vector.logs.resize(index_of_.size());
-  vector.leftovers.resize(rest_.size()), vector.ways.resize(rest_.size());
+  vector.leftovers.resize(rest_.size()), vector.displacements.resize(rest_.size());
   vector.wholes.resize(part_count_);
   return vector;
 }
 
 void LogSpace::turn_by(std::span<const LogTerm> terms, const Vec3* whole, Work& work) const {
-  work.right.resize(rest_.size()), work.ways.resize(rest_.size());
+  work.right.resize(rest_.size()), work.displacements.resize(rest_.size());
   work.wholes.resize(part_count_), work.turned.clear();
   for (std::size_t part = 0; part < part_count_; ++part)
     work.wholes[part] = whole ? *whole : summed(terms, &LogVector::wholes, part);
@@ -287,7 +287,8 @@ void LogSpace::follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Wo
     work.doubted.insert(work.doubted.end(), placed_[i].begin(), placed_[i].end());
   ground(work);
   factors_.solve_corrected(
-      work.right, work.ways, work.doubted, [&] { fit_doubtful(terms, work), ground(work); }, work.solve);
+      work.right, work.displacements, work.doubted, [&] { fit_doubtful(terms, work), ground(work); },
+      work.solve);
   spread_places(work);
 }
 
@@ -348,7 +349,7 @@ Vec3 LogSpace::pulled(std::span<const Vec3> pulls, std::size_t place) const {
 
 void LogSpace::solve(Work& work) const {
   ground(work);
-  factors_.solve(work.right, work.ways, work.solve);
+  factors_.solve(work.right, work.displacements, work.solve);
   spread_places(work);
 }
 
@@ -357,7 +358,7 @@ void LogSpace::ground(Work& work) const {
 }
 
 void LogSpace::spread_places(Work& work) const {
-  for (const auto v : copies_) work.ways[v] = work.ways[places_[v]];
+  for (const auto v : copies_) work.displacements[v] = work.displacements[places_[v]];
 }
 
 // Moves rotations of doubtful triangles towards fitted rotations: adds changes of pulls to work.right.
@@ -396,17 +397,18 @@ void LogSpace::complete(std::span<const mesh::Point> positions, base::WorkerPool
                         LogVector& vector) const {
   const LogTerm term{&vector, 1};
   Work work;
-  vector.ways.resize(rest_.size()), vector.leftovers.resize(rest_.size());
+  vector.displacements.resize(rest_.size()), vector.leftovers.resize(rest_.size());
   follow({&term, 1}, pool, work);
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    vector.ways[v] = positions[v] - rest_[v];
-    vector.leftovers[v] = vector.ways[v] - work.ways[v];
+    vector.displacements[v] = positions[v] - rest_[v];
+    vector.leftovers[v] = vector.displacements[v] - work.displacements[v];
   }
   center(parts_, vector.leftovers);  // anchors determine the translations
 }
 
 void LogSpace::linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
-  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = rest_[v] + summed(terms, &LogVector::ways, v);
+  for (std::size_t v = 0; v < rest_.size(); ++v)
+    positions[v] = rest_[v] + summed(terms, &LogVector::displacements, v);
 }
 
 void LogSpace::shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
@@ -415,41 +417,43 @@ void LogSpace::shape(std::span<const LogTerm> terms, const Held& held, base::Wor
   work.straight.resize(rest_.size());
   pool.for_blocks(rest_.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      work.straight[v] = summed(terms, &LogVector::ways, v);
-      work.ways[v] =
-          parts_.loose[v] ? work.straight[v] : work.ways[v] + summed(terms, &LogVector::leftovers, v);
+      work.straight[v] = summed(terms, &LogVector::displacements, v);
+      work.displacements[v] = parts_.loose[v]
+                                  ? work.straight[v]
+                                  : work.displacements[v] + summed(terms, &LogVector::leftovers, v);
     }
   });
-  hold(parts_, held, work.straight, work.ways);
-  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = work.ways[v] + rest_[v];
+  hold(parts_, held, work.straight, work.displacements);
+  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = work.displacements[v] + rest_[v];
 }
 
 Held LogSpace::held_from(const LogVector& from, std::span<const LogTerm> terms) const {
-  std::vector<Vec3> ways(rest_.size());
+  std::vector<Vec3> displacements(rest_.size());
   std::vector<double> squares(rest_.size());
-  for (std::size_t v = 0; v < ways.size(); ++v) {
-    ways[v] = summed(terms, &LogVector::ways, v);
-    for (const auto& [vector, factor] : terms) squares[v] += std::abs(factor) * squared_norm(vector->ways[v]);
+  for (std::size_t v = 0; v < displacements.size(); ++v) {
+    displacements[v] = summed(terms, &LogVector::displacements, v);
+    for (const auto& [vector, factor] : terms)
+      squares[v] += std::abs(factor) * squared_norm(vector->displacements[v]);
   }
-  return held_along(from, ways, squares);
+  return held_along(from, displacements, squares);
 }
 
 Held LogSpace::held_between(const LogVector& from, const LogVector& to) const {
-  std::vector<Vec3> ways(rest_.size());
+  std::vector<Vec3> displacements(rest_.size());
   std::vector<double> squares(rest_.size());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    ways[v] = to.ways[v] - from.ways[v];
-    squares[v] = squared_norm(ways[v]);
+    displacements[v] = to.displacements[v] - from.displacements[v];
+    squares[v] = squared_norm(displacements[v]);
   }
-  return held_along(from, ways, squares);
+  return held_along(from, displacements, squares);
 }
 
-Held LogSpace::held_along(const LogVector& from, std::span<const Vec3> ways,
+Held LogSpace::held_along(const LogVector& from, std::span<const Vec3> displacements,
                           std::span<const double> squares) const {
   std::vector<mesh::Point> start(rest_.size());
   const LogTerm whole{&from, 1};
   linear({&whole, 1}, start);
-  return held(parts_, start, ways, squares);
+  return held(parts_, start, displacements, squares);
 }
 
 }  // namespace viete::shapes

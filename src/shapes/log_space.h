@@ -26,9 +26,9 @@ struct LogVector {
   std::vector<std::array<double, 9>> logs;  ///< per triangle: log of stretch (6), rotation vector (3)
   /// Per vertex: the shape minus the shape reconstructed from the logs. Both are translated to the same mean.
   std::vector<Vec3> leftovers;
-  std::vector<Vec3> ways;    ///< per vertex: displacement from rest
-  std::vector<Vec3> turns;   ///< per part of a cage: the mean rotation vector; empty for other meshes
-  std::vector<Vec3> wholes;  ///< per part: a rotation vector that is applied in addition to the logs
+  std::vector<Vec3> displacements;  ///< per vertex: displacement from rest
+  std::vector<Vec3> turns;          ///< per part of a cage: the mean rotation vector; empty for other meshes
+  std::vector<Vec3> wholes;         ///< per part: a rotation vector that is applied in addition to the logs
   /// A triangle whose log is far from its neighbours' logs. `share` is from 0 to 1: the rotation of the
   /// triangle moves by this factor towards the rotation that best fits the positions.
   struct Doubt {
@@ -39,7 +39,7 @@ struct LogVector {
   /// Only for a model with a CoarseModel, whose shape the other members describe. Per vertex of the model:
   /// displacement from rest; and the shape minus the shape that follows the clusters, in coordinates that
   /// rotate with the clusters.
-  std::vector<Vec3> fine_ways, details;
+  std::vector<Vec3> fine_displacements, details;
 };
 
 struct LogTerm {
@@ -81,7 +81,7 @@ public:
   };
   /// The buffers of one thread. Reuse avoids allocations.
   struct Work {
-    std::vector<Vec3> pulls, right, ways, straight;
+    std::vector<Vec3> pulls, right, displacements, straight;
     std::vector<Vec3> wholes;                // per part: weighted sum of LogVector::wholes
     std::vector<sym3::Mat3<double>> turned;  // rotation matrices of wholes; empty if all wholes are 0
     std::vector<double> doubts;              // per triangle: weighted sum of Doubt::share
@@ -97,7 +97,8 @@ public:
   const HangingParts& parts() const { return parts_; }
 
   LogVector at_rest() const;
-  /// Computes vector.ways and vector.leftovers for the shape `positions`, from vector.logs and vector.wholes.
+  /// Computes vector.displacements and vector.leftovers for the shape `positions`, from vector.logs and
+  /// vector.wholes.
   void complete(std::span<const mesh::Point> positions, base::WorkerPool& pool, LogVector& vector) const;
 
   /// Returns the anchors of the motion that adds `terms` to the shape `from`; continuous in the factors.
@@ -108,18 +109,18 @@ public:
   /// change the result.
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
-  /// The first step of shape(): sets work.ways to the displacements that fit the sum's logs, without
+  /// The first step of shape(): sets work.displacements to the displacements that fit the sum's logs, without
   /// leftovers. One vertex of each part does not move. If `whole` is not null, *whole is used as whole turn
   /// of all parts.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
   /// Like follow(), but moves all rotations by the factor `share` (0 to 1) towards the rotations that best
-  /// fit the displacements work.ways.
+  /// fit the displacements work.displacements.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
-  /// Solves the Poisson problem for the right-hand side work.right, and writes the solution to work.ways.
-  /// work.right must be 0 except at places (see place()). One vertex of each part does not move. Solves all
-  /// three coordinates at once.
+  /// Solves the Poisson problem for the right-hand side work.right, and writes the solution to
+  /// work.displacements. work.right must be 0 except at places (see place()). One vertex of each part does
+  /// not move. Solves all three coordinates at once.
   void solve(Work& work) const;
 
   /// The triangles with area, then the couplings of a and b as triangles (a, b, b): corners, half cotangents
@@ -154,7 +155,8 @@ private:
   void spread_places(Work& work) const;
   void fit_doubtful(std::span<const LogTerm> terms, Work& work) const;
   void sum_doubts(std::span<const LogTerm> terms, Work& work) const;
-  Held held_along(const LogVector& from, std::span<const Vec3> ways, std::span<const double> squares) const;
+  Held held_along(const LogVector& from, std::span<const Vec3> displacements,
+                  std::span<const double> squares) const;
 
   std::vector<mesh::Point> rest_;
   std::size_t part_count_;

@@ -237,7 +237,7 @@ std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positio
 
 LogVector ShapeSpace::at_rest() const {
   LogVector vector = logs_.at_rest();
-  if (coarse_) vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
+  if (coarse_) vector.fine_displacements.resize(rest_.size()), vector.details.resize(rest_.size());
   return vector;
 }
 
@@ -305,8 +305,8 @@ void ShapeSpace::shape(std::span<const LogTerm> terms, const Held& held, base::W
 }
 
 void ShapeSpace::linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
-  const auto ways = coarse_ ? &LogVector::fine_ways : &LogVector::ways;
-  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = rest_[v] + summed(terms, ways, v);
+  const auto displacements = coarse_ ? &LogVector::fine_displacements : &LogVector::displacements;
+  for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = rest_[v] + summed(terms, displacements, v);
 }
 
 std::vector<mesh::Point> ShapeSpace::solved(std::span<const mesh::Point> positions,
@@ -321,10 +321,10 @@ LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::Worke
   const std::vector<Vec3> means = solved(positions, pool);
   LogVector vector = solved_vector(means, pool, before, report);
   if (!coarse_) return vector;
-  vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
+  vector.fine_displacements.resize(rest_.size()), vector.details.resize(rest_.size());
   move_with_clusters(means, pose::first_numbers(rest_.size()), pool,
                      [&](std::size_t v, const Vec3& position, const Mat& rotation) {
-                       vector.fine_ways[v] = positions[v] - rest_[v];
+                       vector.fine_displacements[v] = positions[v] - rest_[v];
                        vector.details[v] = pose::times(transposed(rotation), positions[v] - position);
                      });
   return vector;

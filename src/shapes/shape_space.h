@@ -53,7 +53,9 @@ public:
   std::vector<mesh::Point> solved(std::span<const mesh::Point> positions, base::WorkerPool& pool) const;
   LogVector at_rest() const;
   /// Returns the displacement of each vertex of the model.
-  const std::vector<Vec3>& ways(const LogVector& v) const { return coarse_ ? v.fine_ways : v.ways; }
+  const std::vector<Vec3>& displacements(const LogVector& v) const {
+    return coarse_ ? v.fine_displacements : v.displacements;
+  }
 
   /// Converts a shape to a vector. Of the many logs of a rotation, takes the log nearest to the triangle's
   /// log in `before` (the preceding shape's vector, or null). Makes the logs of neighbours coherent. Throws

@@ -65,6 +65,6 @@ struct Context {
 
 inline constexpr float status_height = workspace::PanelLayout::status_height;
 
-ImU32 stage_color(workspace::Link stage);
+ImU32 stage_color(workspace::Stage stage);
 
 }  // namespace viete::ui

@@ -22,9 +22,9 @@ using base::entry_of;
 constexpr float chooser_label = 84;
 
 // Lists the settings that `next` would change, except the setting `chosen`. Adds the memory for binding.
-std::string consequences(const workspace::Workspace& w, const document::Scheme& next,
+std::string consequences(const workspace::Workspace& w, const document::Deformer& next,
                          std::string_view chosen) {
-  const document::Scheme& now = w.document.scheme();
+  const document::Deformer& now = w.document.deformer();
   std::string text;
   const auto say = [&](const char* what, std::string_view before, std::string_view after) {
     if (before != after && after != chosen) text += '\n' + std::string(what) + ": " + std::string(after);
@@ -44,7 +44,7 @@ void choice(const Context& ui, Value value, bool chosen) {
   if (ImGui::Selectable(command.brief.data(), chosen)) command.run(w);
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
-  const document::Scheme next = document::chosen(value, w.document.scheme());
+  const document::Deformer next = document::chosen(value, w.document.deformer());
   hint(std::string(entry_of(value).hint) + consequences(w, next, entry_of(value).label));
 }
 
@@ -67,10 +67,10 @@ void chooser(const Context& ui, const char* name, const char* label, std::option
 // A slider that stops only at the fractions in `stops`. Other values can be typed in percent.
 void number_slider(const Context& ui, const char* name, std::span<const double> stops) {
   document::Document& document = ui.workspace.document;
-  document::Scheme scheme = document.scheme();
+  document::Deformer deformer = document.deformer();
   const auto& number = document::number(name);
-  const bool used = number.need.met(scheme);
-  double& value = number.of(scheme);
+  const bool used = number.need.met(deformer);
+  double& value = number.of(deformer);
   const double shown = used ? value : 1;
   const auto above = std::ranges::lower_bound(stops, shown);
   int stop = static_cast<int>(std::min(above, stops.end() - 1) - stops.begin());
@@ -92,15 +92,15 @@ void number_slider(const Context& ui, const char* name, std::span<const double> 
   ImGui::EndDisabled();
   if (!slid.moved && !slid.typed) return;
   value = slid.typed ? 0.01 * *slid.typed : stops[static_cast<std::size_t>(stop)];
-  document::set_radius(document, scheme.weighting.radius);
-  document::set_amounts(document, scheme.amounts);
-  document::set_holding(document, scheme.holding);
+  document::set_radius(document, deformer.weighting.radius);
+  document::set_amounts(document, deformer.amounts);
+  document::set_holding(document, deformer.holding);
 }
 
 void arap(const Context& ui) {
   document::Document& document = ui.workspace.document;
   const workspace::Condition& condition = workspace::find_command("toggle_arap")->enabled;
-  const bool possible = condition(ui.workspace), stitched = document.scheme().stitched();
+  const bool possible = condition(ui.workspace), stitched = document.deformer().stitched();
   row_label("Solve", chooser_label);
   ImGui::BeginDisabled(!possible);
   command_toggle(ui, "toggle_arap", stitched);
@@ -109,7 +109,7 @@ void arap(const Context& ui) {
   if (!stitched) return;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  int iterations = document.scheme().iterations;
+  int iterations = document.deformer().iterations;
   const Slid slid = slider(ui, "iterations", iterations, 1, document::most_iterations, [&] {
     return ImGui::SliderInt("##iterations", &iterations, 1, document::most_iterations,
                             iterations == 1 ? "%d iteration" : "%d iterations",
@@ -126,18 +126,18 @@ void arap(const Context& ui) {
 
 void panel_custom(const Context& ui) {
   if (!section(ui, "Custom deformer", false)) return;
-  const document::Scheme& scheme = ui.workspace.document.scheme();
-  chooser(ui, "weights", "Weights", std::optional(scheme.weighting.weights));
-  chooser(ui, "blend", "Blend", std::optional(scheme.blend));
+  const document::Deformer& deformer = ui.workspace.document.deformer();
+  chooser(ui, "weights", "Weights", std::optional(deformer.weighting.weights));
+  chooser(ui, "blend", "Blend", std::optional(deformer.blend));
   arap(ui);
 }
 
 void panel_deformer(const Context& ui) {
-  const document::Scheme& scheme = ui.workspace.document.scheme();
+  const document::Deformer& deformer = ui.workspace.document.deformer();
   heading(ui, "Deformer");
-  chooser(ui, "way", "", document::way_of(scheme));
+  chooser(ui, "deformer", "", document::preset_of(deformer));
   constexpr std::array radii{0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
-  if (scheme.weighting.partial()) number_slider(ui, "radius", radii);
+  if (deformer.weighting.partial()) number_slider(ui, "radius", radii);
   std::array<double, 41> amounts;
   for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] = 5 * static_cast<double>(i) / 100;
   for (const char* name : {"rotation", "stretch"}) number_slider(ui, name, amounts);

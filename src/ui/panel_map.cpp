@@ -210,7 +210,7 @@ float map_legend(const Context& ui, float bottom) {
     const glm::vec2 room = pane.size * w.view.viewport.size;
     const Size& size = split.on() || !fits(whole, room) ? small : whole;
     if (!fits(small, room)) continue;
-    legend(ui, vec(corner), split.views[view].shown, field, workspace::shown_way(w, view).method, size);
+    legend(ui, vec(corner), split.views[view].shown, field, workspace::view_settings(w, view).method, size);
     if (corner.y > bottom - 1) top = bottom - size.height - 32;
   }
   return top;

@@ -82,7 +82,7 @@ void method_card(const Context& ui, std::size_t index, float width, bool used) {
 
 void panel_method(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  const bool used = w.document.scheme().exponential();
+  const bool used = w.document.deformer().exponential();
   heading(ui, "Method");
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
@@ -107,13 +107,13 @@ void panel_method(const Context& ui) {
 namespace {
 
 using analysis::compared_methods;
-using workspace::Link;
-using Stage = std::optional<Link>;
+using workspace::Stage;
+using StageUnderCursor = std::optional<Stage>;
 
 constexpr std::size_t all_methods = compared_methods.size();
 
-const char* stage_hint(workspace::Link stage) {
-  static constexpr std::array<const char*, workspace::link_count> hints = {
+const char* stage_hint(workspace::Stage stage) {
+  static constexpr std::array<const char*, workspace::stage_count> hints = {
       "Affine map x -> M x + l of each element of the cage, from rest to pose.",
       "Polar decomposition M = R S of each map, and the logarithms Y = log R and X = log S.",
       "Weighted sums of the logarithms at each vertex.",
@@ -129,7 +129,7 @@ const char* stage_hint(workspace::Link stage) {
 }
 
 // The colour of the stage, fainter if another stage is hovered.
-ImU32 lit_stage_color(const Context& ui, workspace::Link stage) {
+ImU32 lit_stage_color(const Context& ui, workspace::Stage stage) {
   const auto& lit = ui.workspace.view.interaction.stage;
   return faded(stage_color(stage), lit && *lit != stage ? 0.3f : 1.0f);
 }
@@ -139,30 +139,31 @@ bool is_under_cursor(ImVec2 low, ImVec2 high) {
 }
 
 // Draws one segment per stage; the slowest method fills the width. Returns the stage under the cursor.
-Stage segments(const Context& ui, const workspace::LinkTimes& times, double longest, ImVec2 at, float width) {
+StageUnderCursor segments(const Context& ui, const workspace::StageTimes& times, double longest, ImVec2 at,
+                          float width) {
   constexpr float height = 14;
-  Stage under_cursor;
+  StageUnderCursor under_cursor;
   float x = at.x;
-  for (std::size_t i = 0; i < workspace::link_count; ++i) {
+  for (std::size_t i = 0; i < workspace::stage_count; ++i) {
     const float w = static_cast<float>(times.ms[i] / longest) * width;
     const ImVec2 low{x, at.y + 2}, high{x + w, at.y + 2 + height};
-    ImGui::GetWindowDrawList()->AddRectFilled(low, high, lit_stage_color(ui, static_cast<Link>(i)));
-    if (w > 0 && is_under_cursor(low, high)) under_cursor = static_cast<Link>(i);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, lit_stage_color(ui, static_cast<Stage>(i)));
+    if (w > 0 && is_under_cursor(low, high)) under_cursor = static_cast<Stage>(i);
     x += w;
   }
   return under_cursor;
 }
 
 std::string label_of(const Context& ui, std::size_t index) {
-  if (!ui.workspace.document.scheme().exponential()) return "All";  // the methods do not differ
+  if (!ui.workspace.document.deformer().exponential()) return "All";  // the methods do not differ
   return method_label(index < all_methods ? compared_methods[index] : workspace::Method::fast);
 }
 
-// The bar of an entry of MethodTimes::links. Returns the stage under the cursor.
-Stage bar(const Context& ui, std::size_t index, double longest) {
+// The bar of an entry of MethodTimes::stages. Returns the stage under the cursor.
+StageUnderCursor bar(const Context& ui, std::size_t index, double longest) {
   constexpr float label_width = 88, value_width = 68;
   const workspace::MethodTimes& all = ui.workspace.frame.method_times;
-  const workspace::LinkTimes& times = all.links[index];
+  const workspace::StageTimes& times = all.stages[index];
   const bool runs = index == workspace::running_times(ui.workspace);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, room = width - label_width - value_width;
@@ -187,21 +188,21 @@ void engine_line(const Context& ui, const char* engine, const char* tip) {
 }
 
 // The bars of all methods in one engine, and below the bar of `fast` in the fused engine, with its error.
-Stage engine_bars(const Context& ui) {
+StageUnderCursor engine_bars(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   double longest = 1e-9;
-  for (const auto& times : w.frame.method_times.links) longest = std::max(longest, times.total());
-  Stage stage;
+  for (const auto& times : w.frame.method_times.stages) longest = std::max(longest, times.total());
+  StageUnderCursor stage;
   const auto add = [&](std::size_t index) {
-    if (const Stage hit = bar(ui, index, longest)) stage = hit;
+    if (const StageUnderCursor hit = bar(ui, index, longest)) stage = hit;
   };
-  if (w.document.scheme().exponential()) {
-    engine_line(ui,
-                w.document.scheme().stitched() ? "Stitched engine" : "Same engine: staged, double precision",
-                "These times compare the methods: all other steps are the same.");
+  if (w.document.deformer().exponential()) {
+    engine_line(
+        ui, w.document.deformer().stitched() ? "Stitched engine" : "Same engine: staged, double precision",
+        "These times compare the methods: all other steps are the same.");
     for (std::size_t i = 0; i < all_methods; ++i) add(i);
   }
-  if (w.document.scheme().stitched()) return stage;
+  if (w.document.deformer().stitched()) return stage;
   ImGui::Dummy({1, 2});
   engine_line(
       ui, "Fused engine: one pass, single precision",
@@ -211,12 +212,12 @@ Stage engine_bars(const Context& ui) {
   return stage;
 }
 
-bool is_measured(const workspace::MethodTimes& all, Link stage) {
-  return std::ranges::any_of(all.links, [&](const auto& times) { return times[stage] > 0; });
+bool is_measured(const workspace::MethodTimes& all, Stage stage) {
+  return std::ranges::any_of(all.stages, [&](const auto& times) { return times[stage] > 0; });
 }
 
 // Draws the names of the stages, up to four per line. Returns the stage under the cursor.
-Stage legend(const Context& ui) {
+StageUnderCursor legend(const Context& ui) {
   constexpr std::size_t rows = 2;
   constexpr float longest_name = 70;
   const workspace::Workspace& w = ui.workspace;
@@ -225,10 +226,10 @@ Stage legend(const Context& ui) {
   const auto columns = static_cast<std::size_t>(std::clamp(room / longest_name, 1.0f, 4.0f));
   const float width = room / static_cast<float>(columns);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  Stage under_cursor;
+  StageUnderCursor under_cursor;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < workspace::link_count; ++i) {
-    const Link stage = static_cast<Link>(i);
+  for (std::size_t i = 0; i < workspace::stage_count; ++i) {
+    const Stage stage = static_cast<Stage>(i);
     if (!is_measured(w.frame.method_times, stage)) continue;
     const ImVec2 low{at.x + static_cast<float>(count % columns) * width,
                      at.y + static_cast<float>(count / columns) * line};
@@ -245,10 +246,10 @@ Stage legend(const Context& ui) {
   return under_cursor;
 }
 
-void stage_tooltip(const Context& ui, Link stage) {
+void stage_tooltip(const Context& ui, Stage stage) {
   std::string text = std::string(name(stage)) + ": " + stage_hint(stage);
   for (std::size_t i = 0; i <= all_methods; ++i) {
-    const double ms = ui.workspace.frame.method_times.links[i][stage];
+    const double ms = ui.workspace.frame.method_times.stages[i][stage];
     const char* engine = i == workspace::MethodTimes::fused ? ", fused engine: " : ": ";
     if (ms > 0) text += "\n" + label_of(ui, i) + engine + milliseconds(ms);
   }
@@ -309,9 +310,9 @@ void panel_timings(const Context& ui) {
   const bool busy = w.frame.method_times.busy;
   heading(ui, busy ? "Timings" : "Timings of the deformation");
   if (busy) section_note(ui, std::string(busy_words));
-  Stage stage = engine_bars(ui);
+  StageUnderCursor stage = engine_bars(ui);
   frame_error(ui);
-  if (const Stage hit = legend(ui)) stage = hit;
+  if (const StageUnderCursor hit = legend(ui)) stage = hit;
   w.view.interaction.stage = stage;
   if (stage) stage_tooltip(ui, *stage);
   rest_of_frame(ui);

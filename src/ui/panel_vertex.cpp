@@ -91,8 +91,9 @@ void partial_sums(const Context& ui, const VertexView& view) {
 }
 
 void ways(const Context& ui, const VertexView& view) {
-  for (const auto& way : view.ways) {
-    value_row(ui, (method_label(way.method) + ": " + way.route).c_str(), error(way.error));
+  for (const auto& evaluation : view.evaluations) {
+    value_row(ui, (method_label(evaluation.method) + ": " + evaluation.route).c_str(),
+              error(evaluation.error));
     hint(
         "Algorithm that the method uses for this matrix. The case depends on the number of equal "
         "eigenvalues. Errors are relative to 106-bit results.");

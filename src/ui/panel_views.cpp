@@ -10,9 +10,9 @@ namespace viete::ui {
 
 namespace {
 
-void way_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
-  if (const auto way = entry_list(ui, name, document::way_of(side.scheme), "Custom"))
-    side.scheme = document::chosen(*way, ui.workspace.document.scheme());
+void deformer_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
+  if (const auto way = entry_list(ui, name, document::preset_of(side.deformer), "Custom"))
+    side.deformer = document::chosen(*way, ui.workspace.document.deformer());
 }
 
 void method_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
@@ -39,8 +39,8 @@ void side_rows(const Context& ui, std::size_t number, workspace::SplitView& side
   ImGui::PushFont(ui.fonts.strong);
   note(ui, "View " + std::to_string(number + 1), ui.colors.text);
   ImGui::PopFont();
-  if (ui.workspace.document.has_cage()) row("Deformer", way_list, "/way");
-  if (side.scheme.exponential()) row("Method", method_list, "/method");
+  if (ui.workspace.document.has_cage()) row("Deformer", deformer_list, "/deformer");
+  if (side.deformer.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
   if (side.other_blending || workspace::has_blended_pose(ui.workspace)) {
     const char* const words =

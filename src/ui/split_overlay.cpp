@@ -31,26 +31,26 @@ struct Caption {
   void add_number(const std::string& part) { numbers += (numbers.empty() ? "" : "   ") + part; }
 };
 
-std::string way_words(const document::Scheme& scheme) {
-  const auto way = document::way_of(scheme);
+std::string deformer_words(const document::Deformer& deformer) {
+  const auto way = document::preset_of(deformer);
   return way ? std::string(base::entry_of(*way).label) : "Custom";
 }
 
 // The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-08".
 Caption shown_in(const workspace::Workspace& w, std::size_t number) {
-  const document::SideWay way = workspace::shown_way(w, number);
+  const document::SideView way = workspace::view_settings(w, number);
   const workspace::SplitView& view = w.view.split.views[number];
   Caption shown;
   if (w.document.has_cage()) {
-    shown.add_title(way_words(way.scheme));
-    if (way.scheme.exponential()) shown.add_title(method_label(way.method));
+    shown.add_title(deformer_words(way.deformer));
+    if (way.deformer.exponential()) shown.add_title(method_label(way.method));
   }
   shown.add_title(blending_words(w, way.other_blending));
   if (!view.problem.empty() || view.binding) {
     shown.add_number(view.problem.empty() ? "binding" : view.problem);
     return shown;
   }
-  if (const auto times = view.stats.deforming_median()) shown.add_number(milliseconds(times->links.total()));
+  if (const auto times = view.stats.deforming_median()) shown.add_number(milliseconds(times->stages.total()));
   const workspace::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
   if (const auto exp = running ? std::optional(running->worst_error) : view.exp_error)
     shown.add_number("exp " + error(*exp));

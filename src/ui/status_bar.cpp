@@ -36,7 +36,7 @@ std::string shape_words(const interact::TransformDrag& drag) {
 bool rotates_posed_cage(const workspace::Workspace& w) {
   const document::Document& d = w.document;
   return w.view.tool == interact::Tool::rotate && d.has_cage() &&
-         d.selection().kind() != document::ElementKind::probe && d.scheme().exponential() &&
+         d.selection().kind() != document::ElementKind::probe && d.deformer().exponential() &&
          d.pose().positions != d.cage()->surface.positions &&
          document::selected_vertices(*d.cage(), d.selection()).size() == d.pose().positions.size();
 }

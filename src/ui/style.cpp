@@ -177,8 +177,8 @@ Palette palette(bool dark) {
 }
 
 // Softened colours of the palette of Okabe and Ito, which colour-blind people can distinguish.
-ImU32 stage_color(workspace::Link stage) {
-  static constexpr std::array<unsigned, workspace::link_count> colors = {
+ImU32 stage_color(workspace::Stage stage) {
+  static constexpr std::array<unsigned, workspace::stage_count> colors = {
       0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c, 0x3fb09a, 0x6fc3df,
       0xe07b54, 0x8f7fd1, 0xcf5f7a, 0xc58bb5, 0xb0a45a};
   return rgb(colors[static_cast<std::size_t>(stage)]);

@@ -364,7 +364,7 @@ std::string method_label(workspace::Method method) {
 const workspace::MethodSample* running_sample(const workspace::Workspace& w) {
   const auto& methods = analysis::compared_methods;
   const auto at = std::ranges::find(methods, w.document.method());
-  const bool known = w.document.scheme().exponential() && w.frame.methods.matrices > 0 &&
+  const bool known = w.document.deformer().exponential() && w.frame.methods.matrices > 0 &&
                      at != methods.end() && document::differs_from_rest(w.document);
   return known ? &w.frame.methods.samples[static_cast<std::size_t>(at - methods.begin())] : nullptr;
 }

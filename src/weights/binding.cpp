@@ -5,12 +5,12 @@
 
 namespace viete::weights {
 
-std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest) {
-  std::vector<Vec3> ways;
-  if (!shape) return ways;
-  ways.reserve(rest.size());
-  for (std::size_t v = 0; v < rest.size(); ++v) ways.push_back((*shape)[v] - rest[v]);
-  return ways;
+std::vector<Vec3> displacements_of(const SharedShape& shape, std::span<const mesh::Point> rest) {
+  std::vector<Vec3> displacements;
+  if (!shape) return displacements;
+  displacements.reserve(rest.size());
+  for (std::size_t v = 0; v < rest.size(); ++v) displacements.push_back((*shape)[v] - rest[v]);
+  return displacements;
 }
 
 Shares product(Shares shares, std::span<const float> mask) {

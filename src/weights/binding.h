@@ -15,7 +15,7 @@
 #include "base/worker_pool.h"
 #include "mesh/adjacency.h"
 #include "pose/cage.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 
 namespace viete::weights {
 
@@ -52,13 +52,13 @@ struct Binding {
 };
 
 /// Returns the vertices' displacements from `rest` to `shape`. If `shape` is null, returns an empty vector.
-std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest);
+std::vector<Vec3> displacements_of(const SharedShape& shape, std::span<const mesh::Point> rest);
 
 /// The vertices of a binding with the current shares and shape. Refers to data that must outlive this object.
 struct VertexBlock {
   const Binding& binding;
-  std::span<const double> shares{};  ///< see Shares
-  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; if empty, all are 0
+  std::span<const double> shares{};       ///< see Shares
+  std::span<const Vec3> displacements{};  ///< displacements of the shape from rest; if empty, all are 0
 
   double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
   Vec3 rest(std::size_t i) const { return shaped(*binding.rest, i); }
@@ -66,7 +66,7 @@ struct VertexBlock {
 
 private:
   Vec3 shaped(const std::vector<Vec3>& at_rest, std::size_t i) const {
-    return ways.empty() ? at_rest[i] : at_rest[i] + ways[i];
+    return displacements.empty() ? at_rest[i] : at_rest[i] + displacements[i];
   }
 };
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "pose/cage.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "weights/bind_kernel.h"
 
 namespace viete::weights {

@@ -11,7 +11,7 @@
 #include "mesh/adjacency.h"
 #include "mesh/surface.h"
 #include "pose/cage.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "weights/surface_weights.h"
 
 namespace viete::weights {

@@ -12,7 +12,7 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "pose/cage.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "sparse/sparse_cholesky.h"
 #include "weights/laplacian.h"
 #include "weights/part_coupling.h"

@@ -39,7 +39,7 @@ void take_document(Workspace& w, document::Document&& document, bool keep_settin
   const document::Document& old = w.document;
   if (keep_settings) {
     document.put_method(old.method());
-    document.put_scheme(old.scheme());
+    document.put_deformer(old.deformer());
   }
   document.mark_replacing(old);
   w.document = std::move(document);
@@ -61,7 +61,7 @@ void take_document(Workspace& w, document::Document&& document, bool keep_settin
 void take_view(Workspace& w, const files::Session& session) {
   const bool hints = w.view.options.hints;
   w.view.options = session.view;
-  put_ways(w.view.split, session.sides);
+  put_side_views(w.view.split, session.sides);
   w.view.options.hints = hints && session.view.hints;
 }
 
@@ -166,7 +166,8 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
                   [&](const files::RecoveryFile& leftover) { return leftover.file == opened.file; });
   } else {
     mark_saved(w);
-    if (opened.session) saved.state.scheme = opened.session->scheme;  // settings of the request are unsaved
+    if (opened.session)
+      saved.state.deformer = opened.session->deformer;  // settings of the request are unsaved
     if (!opened.session) saved.state.mask = nullptr, saved.state.probes = {};  // no file contains them
     w.preferences.add(saved.session.empty() ? RecentFile{w.document.model().path, w.document.cage_file().path}
                                             : RecentFile{saved.session, {}});

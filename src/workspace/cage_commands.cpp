@@ -59,8 +59,8 @@ void change_cage(Workspace& w) {
 }
 
 template <class Value>
-void choose_scheme(Workspace& w, Value value) {
-  set_scheme(w.document, pose::chosen(value, w.document.scheme()));
+void choose_deformer(Workspace& w, Value value) {
+  set_deformer(w.document, pose::chosen(value, w.document.deformer()));
 }
 
 void add_methods(CommandTable& table) {
@@ -131,16 +131,16 @@ void add_blend_commands(CommandTable& table) {
   table.heading("Method");
   add_methods(table);
   table.heading("Blend");
-  add_choices<pose::Way>(table, "Deformer", no_drag_runs, choose_scheme);
-  add_choices<pose::Weights>(table, "Weights", no_drag_runs, choose_scheme);
-  add_choices<pose::Blend>(table, "Blend", no_drag_runs, choose_scheme);
+  add_choices<pose::Preset>(table, "Deformer", no_drag_runs, choose_deformer);
+  add_choices<pose::Weights>(table, "Weights", no_drag_runs, choose_deformer);
+  add_choices<pose::Blend>(table, "Blend", no_drag_runs, choose_deformer);
   table.add(
       "toggle_arap", {"As rigid as possible (ARAP)", "ARAP"},
       "Solve for the whole mesh so that its triangles deform as rigidly as possible. Preserves details, "
       "but frames take longer.",
       without_drag<has_maps>,
-      {[](Workspace& w) { set_iterations(w.document, w.document.scheme().stitched() ? 0 : 1); },
-       [](const Workspace& w) { return w.document.scheme().stitched(); }});
+      {[](Workspace& w) { set_iterations(w.document, w.document.deformer().stitched() ? 0 : 1); },
+       [](const Workspace& w) { return w.document.deformer().stitched(); }});
   table.heading("Method");
   table.add("show_report", {"Make report", "Make report"},
             "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "

@@ -25,10 +25,10 @@ inline constexpr Condition without_drag{[](const Workspace& w) { return C(w) && 
                                         C.otherwise};
 
 inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
-inline constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme().exponential(); },
+inline constexpr Condition uses_method{[](const Workspace& w) { return w.document.deformer().exponential(); },
                                        "This blend uses no exponential; choose \"Log space\" first."};
 inline constexpr Condition has_maps{
-    [](const Workspace& w) { return w.document.scheme().has_maps(); },
+    [](const Workspace& w) { return w.document.deformer().has_maps(); },
     "Not available for this deformer: it uses the vertices of the cage, not its faces."};
 inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model().surface != nullptr; },
                                      "Open a model first."};

@@ -10,7 +10,7 @@
 #include "document/handling.h"
 #include "document/timeline.h"
 #include "document/view_options.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "workspace/command.h"
 #include "workspace/keymap.h"
 
@@ -65,7 +65,7 @@ void add_animation_file_commands(CommandTable& table);  ///< files of poses and 
 /// The names of the commands that choose a value of this type begin with this prefix, for example "pivot_".
 template <class Value>
 constexpr const char* choice_prefix() {
-  if constexpr (std::is_same_v<Value, pose::Way>) return "way_";
+  if constexpr (std::is_same_v<Value, pose::Preset>) return "way_";
   if constexpr (std::is_same_v<Value, pose::Weights>) return "weights_";
   if constexpr (std::is_same_v<Value, pose::Blend>) return "blend_";
   if constexpr (std::is_same_v<Value, document::Pivot>) return "pivot_";

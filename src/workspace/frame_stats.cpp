@@ -28,8 +28,8 @@ FrameTimes median_of(std::span<const FrameTimes> frames) {
     return base::median(std::move(values));
   };
   FrameTimes result = frames.back();
-  for (std::size_t i = 0; i < pose::link_count; ++i)
-    result.links.ms[i] = median([i](const FrameTimes& f) { return f.links.ms[i]; });
+  for (std::size_t i = 0; i < pose::stage_count; ++i)
+    result.stages.ms[i] = median([i](const FrameTimes& f) { return f.stages.ms[i]; });
   for (const auto part : {&FrameTimes::upload, &FrameTimes::draw, &FrameTimes::panels, &FrameTimes::frame})
     result.*part = median([part](const FrameTimes& f) { return f.*part; });
   result.busy = is_busy(frames);
@@ -37,7 +37,7 @@ FrameTimes median_of(std::span<const FrameTimes> frames) {
 }
 
 void FrameStats::add(const FrameTimes& times) {
-  const bool deformed = times.links.total() > 0, first = deformed != drawing_.empty();
+  const bool deformed = times.stages.total() > 0, first = deformed != drawing_.empty();
   if (deformed) drawing_.clear();
   const bool another = deformed && !deforming_.empty() && deforming_.back().method != times.method;
   if (another) deforming_.clear();

@@ -14,22 +14,22 @@
 #include "analysis/field.h"
 #include "base/worker_pool.h"
 #include "mesh/surface.h"
-#include "pose/links.h"
+#include "pose/stages.h"
 #include "sym3/exp.h"
 
 namespace viete::workspace {
 
 using analysis::compared_methods;
-using pose::Link;
-using pose::link_count;
-using pose::LinkTimes;
+using pose::Stage;
+using pose::stage_count;
+using pose::StageTimes;
 using sym3::Method;
 
 /// Wall times of one frame in milliseconds.
 struct FrameTimes {
   double when = 0;  ///< seconds on a monotonic clock
   Method method = Method::fast;
-  pose::LinkTimes links;  ///< times of the stages; zero if the model was not deformed
+  pose::StageTimes stages;  ///< times of the stages; zero if the model was not deformed
   double upload = 0, draw = 0, panels = 0;
   double frame = 0;               ///< total, from input to the finished picture
   base::WorkerPool::Cost cost{};  ///< of loops and panels; seconds
@@ -76,7 +76,7 @@ struct MethodStats {
 struct MethodTimes {
   static constexpr std::size_t fused = compared_methods.size();
   /// compared_methods in the staged or stitched engine, then `fast` in the fused engine; all 0: not measured
-  std::array<pose::LinkTimes, fused + 1> links{};
+  std::array<pose::StageTimes, fused + 1> stages{};
   double fused_error = 0;  ///< of the frame in the fused engine: see Deformer::sampled_error()
   bool measured = false;   ///< true: measured in the background; false: times of drawn frames
   bool busy = false;       ///< see FrameTimes::busy
@@ -101,7 +101,7 @@ struct VertexView {
     std::array<double, 3> eigenvalues;  ///< eigenvalues of the sum of weight * log up to this term, ascending
   };
   /// The result of one method for the exponential of the sum of all terms.
-  struct Way {
+  struct Evaluation {
     Method method;
     std::string route;  ///< the algorithm, in words
     double error;       ///< relative, against a 106-bit reference
@@ -113,7 +113,7 @@ struct VertexView {
   bool has_logs = false;                ///< false: terms have weights, but no logs
   glm::dmat3 map{1};                    ///< deformation matrix of the sum of all terms
   double degrees = 0;                   ///< rotation angle of the map
-  std::vector<Way> ways;
+  std::vector<Evaluation> evaluations;
 };
 
 }  // namespace viete::workspace

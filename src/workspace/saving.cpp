@@ -171,7 +171,7 @@ bool differs(const Workspace& w, const document::DocumentState& saved) {
       w.document.groups().sets != saved.groups.sets || !same_library(w, saved.library, by_time) ||
       !same_timeline(w, saved) || !document::same_mask(w.document.mask(), saved.mask))
     return true;
-  return w.document.is_movable() && (w.document.scheme() != saved.scheme ||
+  return w.document.is_movable() && (w.document.deformer() != saved.deformer ||
                                      (!by_time && (!document::same_shape(w.document.shape(), saved.shape) ||
                                                    !document::same_pose(real_pose(w.document), saved.pose))));
 }
@@ -197,7 +197,7 @@ files::Session session_of(const Workspace& w) {
   session.method = w.document.method();
   session.camera = last_camera_of(w, 0);
   session.view = w.view.options;
-  session.sides = ways_of(w);
+  session.sides = side_views(w);
   session.handling = w.view.handling;
   if (document::is_window(w.view.viewport.window.x, w.view.viewport.window.y))
     session.window = glm::ivec2(w.view.viewport.window);

@@ -16,9 +16,9 @@ document::Viewport viewport_of(const Split& split, const document::Viewport& who
   return seen;
 }
 
-void put_ways(Split& split, const document::SideWays& ways) {
+void put_side_views(Split& split, const document::SideViews& ways) {
   split.views.resize(1);
-  for (const document::SideWay& way : ways.sides) split.views.push_back({way});
+  for (const document::SideView& way : ways.sides) split.views.push_back({way});
   split.active = 0;
   split.before.reset();
   if (split.on()) split.linked = ways.cameras.empty();

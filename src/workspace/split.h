@@ -14,8 +14,9 @@
 
 namespace viete::workspace {
 
-/// A view, and the results of its last picture. The first view has the document's settings, see shown_way().
-struct SplitView : document::SideWay {
+/// A view, and the results of its last picture. The first view has the document's settings, see
+/// view_settings().
+struct SplitView : document::SideView {
   FieldView shown{};
   FrameStats stats{};
   /// Error of the positions in single precision, relative to the diagonal of the cage. Does not include
@@ -27,7 +28,7 @@ struct SplitView : document::SideWay {
 };
 
 struct Split {
-  static constexpr std::size_t most = document::SideWays::most + 1;
+  static constexpr std::size_t most = document::SideViews::most + 1;
 
   std::vector<SplitView> views = std::vector<SplitView>(1);
   bool linked = true;                          ///< all views share one camera
@@ -52,6 +53,6 @@ document::Viewport viewport_of(const Split& split, const document::Viewport& who
 std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place);
 
 /// Replaces the views and activates the first view.
-void put_ways(Split& split, const document::SideWays& ways);
+void put_side_views(Split& split, const document::SideViews& ways);
 
 }  // namespace viete::workspace

@@ -5,7 +5,7 @@
 #include "document/checks.h"
 #include "document/elements.h"
 #include "document/probes.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 
 namespace viete::workspace {
 
@@ -68,37 +68,37 @@ void widen(std::vector<glm::vec3>& points) {
 }
 
 // The first deformer that no view uses. If views use all deformers, returns the document's deformer.
-pose::Scheme unused_scheme(const Workspace& w) {
-  const auto is_used = [&](const pose::Scheme& scheme) {
+pose::Deformer unused_deformer(const Workspace& w) {
+  const auto is_used = [&](const pose::Deformer& deformer) {
     for (std::size_t view = 0; view < w.view.split.count(); ++view)
-      if (shown_way(w, view).scheme == scheme) return true;
+      if (view_settings(w, view).deformer == deformer) return true;
     return false;
   };
-  for (const auto way : base::all_values<pose::Way>()) {
-    const pose::Scheme scheme = pose::scheme_of(way, w.document.scheme());
-    if (!is_used(scheme)) return scheme;
+  for (const auto preset : base::all_values<pose::Preset>()) {
+    const pose::Deformer deformer = pose::deformer_of(preset, w.document.deformer());
+    if (!is_used(deformer)) return deformer;
   }
-  return w.document.scheme();
+  return w.document.deformer();
 }
 
 }  // namespace
 
 std::size_t running_times(const Workspace& w) {
-  if (pose::engine_for(w.document.scheme(), w.document.method()) == pose::EngineKind::fused)
+  if (pose::engine_for(w.document.deformer(), w.document.method()) == pose::EngineKind::fused)
     return MethodTimes::fused;
   return static_cast<std::size_t>(std::ranges::find(compared_methods, w.document.method()) -
                                   compared_methods.begin());
 }
 
-document::SideWay shown_way(const Workspace& w, std::size_t view) {
+document::SideView view_settings(const Workspace& w, std::size_t view) {
   if (view > 0) return w.view.split.views[view];
-  return {w.document.scheme(), w.document.method(), w.view.options.field};
+  return {w.document.deformer(), w.document.method(), w.view.options.field};
 }
 
 analysis::Field shown_field(const Workspace& w, std::size_t view) {
-  const document::SideWay way = shown_way(w, view);
+  const document::SideView way = view_settings(w, view);
   const analysis::Source source = analysis::entry(way.field).source;
-  const bool exponential = w.document.has_cage() && way.scheme.exponential();
+  const bool exponential = w.document.has_cage() && way.deformer.exponential();
   const bool exists = source == analysis::Source::surface || source == analysis::Source::first
                           ? w.document.model().surface != nullptr
                       : source == analysis::Source::matrices ? exponential
@@ -232,7 +232,7 @@ void split_view(Workspace& w, std::size_t count) {
     w.view.camera.set_pose(*std::exchange(split.before, std::nullopt));
   split.views.resize(std::min(count, split.count()));
   while (split.count() < count)
-    split.views.push_back({{unused_scheme(w), w.document.method(), w.view.options.field}});
+    split.views.push_back({{unused_deformer(w), w.document.method(), w.view.options.field}});
   split.cameras.assign(split.count(), w.view.camera.pose());
   w.view.viewport = viewport_of(split, w.view.viewport, 0);
 }
@@ -260,9 +260,9 @@ document::CameraPose last_camera_of(const Workspace& w, std::size_t view) {
   return split.linked || view == split.active ? w.view.camera.destination() : camera_of(w, view);
 }
 
-document::SideWays ways_of(const Workspace& w) {
+document::SideViews side_views(const Workspace& w) {
   const Split& split = w.view.split;
-  document::SideWays ways;
+  document::SideViews ways;
   for (const SplitView& side : split.sides()) ways.sides.push_back(side);
   if (!split.linked)
     for (std::size_t view = 1; view < split.count(); ++view) ways.cameras.push_back(last_camera_of(w, view));

@@ -84,7 +84,7 @@ struct Interaction {
   bool crowded = false;           ///< elements at the cursor are so dense that a drag draws a box
   std::optional<glm::vec2> menu;  ///< position of a right click, where the context menu must open
   glm::vec2 menu_at{0, 0};        ///< cursor position for commands of the open context menu
-  std::optional<Link> stage;      ///< the stage under the cursor in the panel of timings
+  std::optional<Stage> stage;     ///< the stage under the cursor in the panel of timings
   bool placing_pivot = false;     ///< the next click places the pivot
   struct Grab {
     interact::Tool tool;
@@ -271,7 +271,7 @@ inline bool draws_coarsely(const Workspace& workspace) {
   return workspace.preferences.coarse_motion.value_or(workspace.about.software);
 }
 
-/// The index in MethodTimes::links of the document's method and engine.
+/// The index in MethodTimes::stages of the document's method and engine.
 std::size_t running_times(const Workspace& workspace);
 
 /// True if the model is coloured by its mask.
@@ -297,7 +297,7 @@ inline bool shows_selectable(const Workspace& w) {
 }
 
 /// The settings of a view. The first view has the document's settings.
-document::SideWay shown_way(const Workspace& workspace, std::size_t view);
+document::SideView view_settings(const Workspace& workspace, std::size_t view);
 /// The map that colours a view; Field::none if the chosen map is not available.
 analysis::Field shown_field(const Workspace& workspace, std::size_t view = 0);
 
@@ -309,7 +309,7 @@ document::CameraPose camera_of(const Workspace& workspace, std::size_t view);
 /// The camera of a view at the end of its current motion.
 document::CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
 /// The views as stored in a session.
-document::SideWays ways_of(const Workspace& workspace);
+document::SideViews side_views(const Workspace& workspace);
 
 /// Stores the state before a mouse press, so that cancel_widget_edit() can restore this state.
 void begin_widget_edit(Workspace& workspace);

@@ -67,7 +67,7 @@ TEST_CASE("every_method_that_has_a_name_is_taken_and_none_is_asked_for_by_itself
 
 TEST_CASE("arap_takes_a_number_of_iterations_or_one") {
   const auto iterations = [](const std::string& words) {
-    return pose::scheme_of(parsed(Use::picture, "a.obj " + words).settings, {}).iterations;
+    return pose::deformer_of(parsed(Use::picture, "a.obj " + words).settings, {}).iterations;
   };
   CHECK(iterations("") == 0);
   CHECK(iterations("--arap") == 1);

@@ -71,17 +71,17 @@ TEST_CASE("it_is_bound_as_what_is_open_or_as_the_session_says") {
   const test::CubeFiles files;
   app::Loader loader;
   document::Document current;
-  pose::Scheme scheme = current.scheme();
-  scheme.weighting = {pose::Elements::face, pose::Weights::cut_off, 0.3};
-  current.put_scheme(scheme);
+  pose::Deformer deformer = current.deformer();
+  deformer.weighting = {pose::Elements::face, pose::Weights::cut_off, 0.3};
+  current.put_deformer(deformer);
   const Result model = loaded(loader, {What::model, {files.model, files.cage}}, current);
   REQUIRE(model.value);
   CHECK(model.value->bound.binding->weighting.radius == 0.3);
 
   workspace::Workspace saved;
   saved.document = opened(loader, {What::model, {files.model, files.cage}});
-  scheme.weighting.radius = 0.2;
-  saved.document.put_scheme(scheme);
+  deformer.weighting.radius = 0.2;
+  saved.document.put_deformer(deformer);
   REQUIRE(workspace::save_session(saved, files / "a.viete"));
   const Result session = loaded(loader, {What::model, {files / "a.viete"}}, current);
   REQUIRE(session.value);

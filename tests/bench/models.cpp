@@ -1,6 +1,6 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
-#include "deform/deformer.h"
+#include "deform/frame_deformer.h"
 #include "deform/shapes.h"
 #include "mesh/winding_number.h"
 #include "support/shapes.h"
@@ -53,7 +53,7 @@ TEST_CASE("reference_frame_equals_the_staged_frame") {
   const auto cage = std::make_shared<const pose::Cage>(pose::make_cage(bench::star_cage(model, 50)));
   base::WorkerPool pool(1);
   const auto binding = std::make_shared<const weights::Binding>(weights::bind(model, *cage, {}, pool));
-  deform::Deformer staged(cage, binding, pose::Scheme{binding->weighting}, pool);
+  deform::FrameDeformer staged(cage, binding, pose::Deformer{binding->weighting}, pool);
   bench::ReferenceFrame reference(*cage, *binding);
   const auto pose = bench::moderate_pose(*cage);
   staged.deform(pose, sym3::Method::diag);

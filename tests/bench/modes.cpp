@@ -109,18 +109,18 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   CHECK(near_pairs(mesh::from_triangles(cracked, {{0, 1, 2}, {1, 2, 3}})).size() == 2);
 }
 
-TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
+TEST_CASE("every_deformer_is_measured_and_none_distorts_a_cage_at_rest") {
   const ModeSettings settings{.rounds = 1, .radius = pose::number("radius").largest};
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
   CHECK(compared.without_area == 0);
-  CHECK(compared.modes.size() == pose::valid_schemes().size() + 1);  // one more for Way::arap
-  for (pose::Scheme scheme : pose::valid_schemes()) {
-    scheme.weighting.radius = pose::number("radius").largest;
+  CHECK(compared.modes.size() == pose::valid_deformers().size() + 1);  // one more for Preset::arap
+  for (pose::Deformer deformer : pose::valid_deformers()) {
+    deformer.weighting.radius = pose::number("radius").largest;
     const auto found =
-        std::ranges::find_if(compared.modes, [&](const Mode& m) { return m.scheme == scheme; });
-    REQUIRE_MESSAGE(found != compared.modes.end(), pose::text(scheme));
-    INFO(pose::text(scheme));
+        std::ranges::find_if(compared.modes, [&](const Mode& m) { return m.deformer == deformer; });
+    REQUIRE_MESSAGE(found != compared.modes.end(), pose::text(deformer));
+    INFO(pose::text(deformer));
     CHECK(found->problem.empty());
     CHECK(found->deviations[0] < exactly);
     CHECK(std::isfinite(found->leak));
@@ -130,16 +130,16 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
     CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
-    // mls_rigid distorts less than the other schemes, because it only rotates.
-    CHECK(posed.energy > (scheme.blend == pose::Blend::mls_rigid ? 1e-4 : 1e-3));
+    // mls_rigid distorts less than the other deformers, because it only rotates.
+    CHECK(posed.energy > (deformer.blend == pose::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);
-    if (pose::way_of(scheme) == pose::Way::mean_value) {
+    if (pose::preset_of(deformer) == pose::Preset::mean_value) {
       CHECK(posed.energy_ratio == 1);
       CHECK(posed.bending_ratio == 1);
       CHECK(found->deviations[3] < exactly);
     }
-    if (pose::way_of(scheme) == pose::Way::paper) {
+    if (pose::preset_of(deformer) == pose::Preset::paper) {
       CHECK(found->deviations[2] < exactly);
       CHECK(found->deviations[3] > 1e-6);
     }
@@ -165,11 +165,11 @@ TEST_CASE("the_radius_is_that_of_all_modes_and_only_method_fast_has_fused_frames
   const auto all = compare(test::sphere(2));
   for (std::size_t m = 0; m < all.modes.size(); ++m) {
     const Mode& mode = near.modes[m];
-    INFO(pose::text(mode.scheme));
-    CHECK(mode.scheme.weighting.radius == 0.1);
+    INFO(pose::text(mode.deformer));
+    CHECK(mode.deformer.weighting.radius == 0.1);
     const bool changed = mode.qualities[1].energy != all.modes[m].qualities[1].energy;
-    if (mode.scheme.weighting.partial()) CHECK(changed);
-    if (mode.scheme.exponential()) CHECK_FALSE(mode.fused);
-    if (mode.scheme.weighting.weights == pose::Weights::mean_value) CHECK(all.modes[m].fused);
+    if (mode.deformer.weighting.partial()) CHECK(changed);
+    if (mode.deformer.exponential()) CHECK_FALSE(mode.fused);
+    if (mode.deformer.weighting.weights == pose::Weights::mean_value) CHECK(all.modes[m].fused);
   }
 }

@@ -131,7 +131,7 @@ TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   for (const auto& t : json["frames"])
     if (t["threads"] == 1 && t["name"] == "fused, dense")
       CHECK(test::mentions(page, ">" + base::few_digits(t["cpu_ms"]) + "<"));
-  for (const auto& way : json["ways"]["results"])
+  for (const auto& way : json["deformers"]["results"])
     CHECK(test::mentions(page, ">" + base::few_digits(way["frame_ms"]) + "<"));
   const auto& tall = json["shapes"][0];
   CHECK(tall["linear"]["volumes"].size() == 21);
@@ -166,8 +166,8 @@ TEST_CASE("paths_are_quoted_for_the_shell") {
 
 // Returns the median and the worst value over the dragon's poses, relative to mean value coordinates.
 std::pair<double, double> energy(const nlohmann::json& report, const char* way) {
-  for (const auto& result : report["ways"]["results"]) {
-    if (result["way"] != way) continue;
+  for (const auto& result : report["deformers"]["results"]) {
+    if (result["deformer"] != way) continue;
     std::vector<double> all;
     for (const auto& pose : result["poses"]) all.push_back(pose["energy_to_mean_value"]);
     std::ranges::sort(all);

@@ -39,15 +39,15 @@ mesh::Surface points_about(const mesh::Surface& cage, Random& random) {
 }
 
 // Returns the largest allowed error, in diagonals of the posed cage: at least three times the measured error.
-double staged_bound(const Scheme& scheme) {
-  if (scheme.weighting.weights == Weights::mean_value) return 1e-13;
-  return scheme.weighting.on_surface() ? 3e-14 : 1e-14;
+double staged_bound(const Deformer& deformer) {
+  if (deformer.weighting.weights == Weights::mean_value) return 1e-13;
+  return deformer.weighting.on_surface() ? 3e-14 : 1e-14;
 }
 
-void compare(Scheme scheme, const mesh::Surface& cage, const mesh::Surface& model, const Pose& pose) {
-  CAPTURE(text(scheme));
-  scheme.weighting.radius = scheme.has_maps() ? 0.3 : 0.5;
-  Frames frames(model, cage, scheme);
+void compare(Deformer deformer, const mesh::Surface& cage, const mesh::Surface& model, const Pose& pose) {
+  CAPTURE(text(deformer));
+  deformer.weighting.radius = deformer.has_maps() ? 0.3 : 0.5;
+  Frames frames(model, cage, deformer);
   frames.fused.deform(pose, sym3::Method::fast);
   const auto staged = frames.staged.deform(pose);
   std::vector<AffineMap> patches(pose.positions.size());
@@ -56,19 +56,20 @@ void compare(Scheme scheme, const mesh::Surface& cage, const mesh::Surface& mode
   const IndependentPose same{pose.positions, pose.turns.empty() ? Vec3{0, 0, 0} : pose.turns[0],
                              frames.fused.state().rows().moment_length, frames.staged.binding->weights,
                              patches};
-  const auto exact = deform_independently(model.positions, cage, same, scheme);
+  const auto exact = deform_independently(model.positions, cage, same, deformer);
   CHECK(exact.largest_step < 90 * degree);
   const double diagonal = mesh::bounds(pose.positions).diagonal();
-  CHECK(largest_distance(staged, exact.positions) < staged_bound(scheme) * diagonal);
+  CHECK(largest_distance(staged, exact.positions) < staged_bound(deformer) * diagonal);
   // Maps fitted to few handles amplify the rounding of their weights (measured: 1.3e-6).
   const double fused_bound =
-      scheme.weighting.partial() && has_moments(frames.fused.state().rows().form) ? 2e-6 : 1e-6;
+      deformer.weighting.partial() && has_moments(frames.fused.state().rows().form) ? 2e-6 : 1e-6;
   CHECK(largest_distance(frames.fused.positions(), exact.positions) < fused_bound * diagonal);
 }
 
 }  // namespace
 
-TEST_CASE("frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision" * doctest::test_suite(longer)) {
+TEST_CASE("frames_of_every_deformer_agree_with_an_evaluation_in_quad_precision" *
+          doctest::test_suite(longer)) {
   Random random(2024);
   const mesh::Surface cages[] = {tube(6, 8, 0.6, 2), box({1, 2, 3}), tube(12, 16, 40, 90)};
   const mesh::Surface model = tube(7, 6, 0.3, 2.2);
@@ -77,9 +78,9 @@ TEST_CASE("frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision" * 
     const auto points = points_about(cage, random);
     for (int n = 0; n < rounds(1, 4); ++n) {
       const Pose pose{mapped(cage.positions, Waves(random, size)), {}};
-      for (const Scheme& scheme : valid_schemes()) {
-        const bool on_surface = scheme.weighting.on_surface();
-        if (!on_surface || &cage == cages) compare(scheme, cage, on_surface ? model : points, pose);
+      for (const Deformer& deformer : valid_deformers()) {
+        const bool on_surface = deformer.weighting.on_surface();
+        if (!on_surface || &cage == cages) compare(deformer, cage, on_surface ? model : points, pose);
       }
     }
   }
@@ -95,9 +96,9 @@ TEST_CASE("frames_of_turns_beyond_180_degrees_agree_with_an_evaluation_in_quad_p
   } twists[] = {{-220, 220, {0, 0, 0}}, {40, 300, {0, 0, 3}}, {40, 300, {0, 0, -3.5}}};
   for (const auto& t : twists) {
     const Twist twist{2, {0, 0, 0}, -1.5, 1.5, t.low * degree, t.high * degree};
-    for (const Scheme& scheme : valid_schemes()) {
-      if (scheme.weighting.partial() || scheme.weighting.on_surface()) continue;
-      compare(scheme, cage, points, {mapped(cage.positions, twist), {t.turn}});
+    for (const Deformer& deformer : valid_deformers()) {
+      if (deformer.weighting.partial() || deformer.weighting.on_surface()) continue;
+      compare(deformer, cage, points, {mapped(cage.positions, twist), {t.turn}});
     }
   }
 }

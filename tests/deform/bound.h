@@ -4,10 +4,10 @@
 #include <doctest/doctest.h>
 #include <memory>
 
-#include "deform/deformer.h"
 #include "deform/exact.h"
+#include "deform/frame_deformer.h"
 #include "deform/shapes.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "weights/bind.h"
 #include "weights/binding.h"
 
@@ -18,11 +18,11 @@ inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_v
 inline Weighting cut_off(double radius) {
   return {Elements::face, Weights::cut_off, radius};
 }
-/// Returns schemes in which every vertex follows the cage. The radius of cut-off weights is large enough.
-inline std::vector<Scheme> whole_schemes() {
-  auto schemes = valid_schemes();
-  for (Scheme& s : schemes) s.weighting.radius = number("radius").largest;
-  return schemes;
+/// Returns deformers in which every vertex follows the cage. The radius of cut-off weights is large enough.
+inline std::vector<Deformer> whole_deformers() {
+  auto deformers = valid_deformers();
+  for (Deformer& s : deformers) s.weighting.radius = number("radius").largest;
+  return deformers;
 }
 
 struct Bound {
@@ -57,7 +57,7 @@ struct Bound {
   std::shared_ptr<const Cage> cage;
   base::WorkerPool pool;
   std::shared_ptr<const Binding> binding;
-  Deformer deformer;
+  FrameDeformer deformer;
 };
 
 /// Returns a binding of the bound model with these tiles.
@@ -94,18 +94,18 @@ struct FusedFrame {
   FusedEngine engine;
 };
 
-/// A scheme in all engines that support it.
+/// A deformer in all engines that support it.
 struct Frames {
-  Frames(const mesh::Surface& model, const mesh::Surface& cage, const Scheme& scheme_, int threads = 2)
-      : scheme(scheme_),
-        staged(model, cage, scheme.weighting, threads, scheme.blend),
+  Frames(const mesh::Surface& model, const mesh::Surface& cage, const Deformer& deformer_, int threads = 2)
+      : deformer(deformer_),
+        staged(model, cage, deformer.weighting, threads, deformer.blend),
         fused(staged.cage,
               std::make_shared<const Binding>(weights::bind(mesh::lent(staged.model), *staged.cage,
-                                                            scheme.weighting, EngineKind::fused, nullptr,
+                                                            deformer.weighting, EngineKind::fused, nullptr,
                                                             staged.pool)),
-              scheme, staged.pool,
-              scheme.stitched()
-                  ? std::make_shared<const Stitching>(stitch(model, *staged.cage, staged.pool, scheme))
+              deformer, staged.pool,
+              deformer.stitched()
+                  ? std::make_shared<const Stitching>(stitch(model, *staged.cage, staged.pool, deformer))
                   : nullptr) {}
 
   void set_mask(const Mask& mask_) {
@@ -123,23 +123,23 @@ struct Frames {
 
   /// Returns the exact result, and checks that all engines agree with it.
   std::vector<mesh::Point> deform(const Pose& pose) {
-    const auto exact = deform_exactly(staged.model, staged.cage, scheme, pose, sym3::Method::fast,
+    const auto exact = deform_exactly(staged.model, staged.cage, deformer, pose, sym3::Method::fast,
                                       staged.pool, nullptr, mask, probes, shape);
     const double far = std::max(staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
     fused.deform(pose, sym3::Method::fast);
-    CHECK(fused.ran() == (scheme.stitched() ? EngineKind::stitched : EngineKind::fused));
+    CHECK(fused.ran() == (deformer.stitched() ? EngineKind::stitched : EngineKind::fused));
     CHECK(largest_distance(fused.positions(), exact.positions) < 2e-5 * far);
     CHECK(fused.sampled_error() < 3e-5);
-    if (!scheme.stitched()) CHECK(largest_distance(staged.deform(pose), exact.positions) < 1e-12 * far);
+    if (!deformer.stitched()) CHECK(largest_distance(staged.deform(pose), exact.positions) < 1e-12 * far);
     return exact.positions;
   }
 
-  Scheme scheme;
+  Deformer deformer;
   Mask mask;
   SharedShape shape;
   Probes probes;
   Bound staged;
-  Deformer fused;
+  FrameDeformer fused;
 };
 
 }  // namespace viete::test

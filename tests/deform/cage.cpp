@@ -94,10 +94,10 @@ std::vector<double> values(const CageState& state) {
   return {v.begin(), v.end()};
 }
 
-// Returns each pair of elements and blend that a scheme can have.
-std::vector<std::pair<Elements, Blend>> schemes() {
+// Returns each pair of elements and blend that a deformer can have.
+std::vector<std::pair<Elements, Blend>> deformers() {
   std::vector<std::pair<Elements, Blend>> all;
-  for (const Scheme& s : valid_schemes()) {
+  for (const Deformer& s : valid_deformers()) {
     const std::pair one{s.weighting.elements, s.blend};
     if (std::ranges::find(all, one) == all.end()) all.push_back(one);
   }
@@ -108,7 +108,7 @@ std::vector<std::pair<Elements, Blend>> schemes() {
 
 TEST_CASE("rows_at_rest_are_identities") {
   const auto cage = bent_tube();
-  for (const auto& [elements, blend] : schemes()) {
+  for (const auto& [elements, blend] : deformers()) {
     CageState state(cage, elements, blend);
     state.set_pose(rest_pose(*cage));
     const Rows rows = state.rows();
@@ -150,7 +150,7 @@ TEST_CASE("rows_of_maps_move_points_as_the_maps_do") {
 
 TEST_CASE("dragged_rows_equal_those_of_the_full_pose") {
   const auto cage = bent_tube();
-  for (const auto& [elements, blend] : schemes()) {
+  for (const auto& [elements, blend] : deformers()) {
     CageState dragged(cage, elements, blend), whole(cage, elements, blend);
     Pose pose{mapped(cage->surface.positions, Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree}), {}};
     dragged.set_pose(pose);
@@ -199,7 +199,7 @@ TEST_CASE("the_origin_is_fixed_during_a_drag_and_updated_after_it") {
 
 TEST_CASE("without_logs_turns_of_a_pose_are_passed_on") {
   const auto cage = bent_tube();
-  for (const auto& [elements, blend] : schemes()) {
+  for (const auto& [elements, blend] : deformers()) {
     if (blend == Blend::srl) continue;
     CageState state(cage, elements, blend);
     state.set_pose({cage->surface.positions, {{1, 2, 3}}});

@@ -1,168 +1,144 @@
+#include <doctest/doctest.h>
 #include <set>
 
-#include "deform/bound.h"
-#include "deform/deformer.h"
+#include "base/error.h"
+#include "pose/deformer.h"
+#include "support/text.h"
 
-using namespace viete::test;
-
-TEST_CASE("apply_stretches_first_then_turns_then_moves") {
-  Binding b;
-  b.vertices = 1;
-  b.rest = std::make_shared<const std::vector<viete::mesh::Point>>(1);
-  b.offsets = {{1, 2, 3}};
-  const std::vector<double> sums{0, 0, 0, 0, 0, 0, 0, 0, 90 * degree, 10, 20, 30};
-  const std::vector<viete::sym3::Sym3<double>> stretches = {{2, 0, 0, 3, 0, 1}};
-  std::vector<viete::mesh::Point> out(1);
-  apply({b}, RowForm::logs, sums, stretches, {100, 0, 0}, 0, 1, out);
-  CHECK(norm(out[0] - Vec3{100 + 10 - 6, 20 + 2, 30 + 3}) < 1e-13);
-}
+using namespace viete::pose;
+using viete::test::mentions;
 
 namespace {
 
-Binding random_binding(std::size_t vertices, std::size_t handles, Random& random) {
-  Binding b;
-  b.vertices = vertices;
-  b.handles = handles;
-  for (std::size_t i = 0; i < vertices * handles; ++i) b.weights.push_back(random(0, 1));
-  for (std::size_t i = 0; i < vertices; ++i) b.offsets.push_back(random.vector(1));
-  b.rest = std::make_shared<const std::vector<viete::mesh::Point>>(vertices);
-  return b;
+template <class Value>
+void check_choices() {
+  std::set<std::string_view> words;
+  for (const Value value : viete::base::all_values<Value>()) {
+    const viete::base::Choice& choice = viete::base::entry_of(value);
+    CHECK(viete::base::value_of_word<Value>(choice.word) == value);
+    CHECK_FALSE(choice.hint.empty());
+    words.insert(choice.word);
+  }
+  CHECK(words.size() == choices(Value{}).size());
+  CHECK_FALSE(viete::base::value_of_word<Value>("nonsense").has_value());
 }
 
 }  // namespace
 
-TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
-  Random random(13);
-  const std::size_t n = 37, k = 23;
-  const Binding b = random_binding(n, k, random);
-  std::vector<MapLog> logs(k);
-  for (auto& l : logs) {
-    l = {{random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1)},
-         random.vector(3),
-         random.vector(2)};
-  }
-  std::vector<double> sums(n * log_shape.columns);
-  const Rows rows{RowForm::logs, {reinterpret_cast<const double*>(logs.data()), 12 * logs.size()}, {}};
-  for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 37u}})
-    blend({b}, rows, begin, end, sums);
-  for (std::size_t i = 0; i < n; ++i) {
-    double xy = 0, zz = 0;
-    Vec3 rotation{0, 0, 0}, center{0, 0, 0};
-    for (std::size_t j = 0; j < k; ++j) {
-      const double w = b.weights[i * k + j];
-      xy += w * logs[j].stretch.xy;
-      zz += w * logs[j].stretch.zz;
-      rotation = rotation + w * logs[j].rotation;
-      center = center + w * logs[j].center;
-    }
-    const double* sum = sums.data() + i * log_shape.columns;
-    CHECK(sum[1] == xy);
-    CHECK(sum[5] == zz);
-    CHECK(Vec3{sum[6], sum[7], sum[8]} == rotation);
-    CHECK(Vec3{sum[9], sum[10], sum[11]} == center);
+TEST_CASE("every_choice_is_found_by_its_value_and_by_its_name") {
+  check_choices<Weights>();
+  check_choices<Blend>();
+  check_choices<Preset>();
+  CHECK(choices(Preset{}).size() == 6);
+}
+
+TEST_CASE("every_number_is_found_by_its_name_and_is_used_by_some_deformer") {
+  CHECK(all_numbers().size() == 5);
+  for (const NumberEntry& n : all_numbers()) {
+    CAPTURE(n.word);
+    CHECK(&number(n.word) == &n);
+    Deformer deformer;
+    CHECK((n.least <= n.of(deformer) && n.of(deformer) <= n.largest));
+    AskedDeformer asked;
+    asked.*n.asked = 0.29;
+    asked.arap = n.word == "attach" || n.word == "hold";
+    deformer = deformer_of(asked, {});
+    CHECK(n.of(deformer) == 0.29);
+    CHECK(n.percent(deformer) == 29);
+    const Deformer points = deformer_of(Preset::mean_value);
+    CHECK_THROWS_AS(deformer_of(asked, points, true), viete::base::Error);
   }
 }
 
-using viete::sym3::Method;
-
-TEST_CASE("before_the_first_frame_there_are_no_vertices_and_no_turns") {
-  const Bound b(tube(20, 12, 0.3, 1.5), box());
-  CHECK(b.deformer.vertices().empty());
-  CHECK(b.deformer.positions().empty());
-  CHECK_FALSE(b.deformer.ran().has_value());
-  CHECK(b.report().turns == std::vector<Vec3>{{0, 0, 0}});
+TEST_CASE("a_radius_counts_only_where_weights_have_one") {
+  const Weighting near{Elements::face, Weights::cut_off, 0.1}, far{Elements::face, Weights::cut_off, 0.3};
+  CHECK(near.partial());
+  CHECK_FALSE(near == far);
+  CHECK(Weighting{} == Weighting{Elements::face, Weights::inverse, 0.1});
+  CHECK_FALSE(Weighting{} == near);
 }
 
-TEST_CASE("every_staged_link_of_a_blend_is_timed_and_no_other") {
-  const auto model = tube(60, 30, 0.3, 1.5);
-  const auto timed = [&](const Weighting& weighting, Blend blend) {
-    Bound b(model, box(), weighting, 2, blend);
-    b.deform(b.pose(shear()));
-    CHECK(b.deformer.ran() == EngineKind::staged);
-    CHECK(b.deformer.sample_matrices(100).size() == (b.deformer.scheme().exponential() ? 100 : 0));
-    std::set<Link> links;
-    for (std::size_t i = 0; i < link_count; ++i) {
-      if (b.deformer.times().ms[i] > 0) links.insert(static_cast<Link>(i));
-    }
-    return links;
+TEST_CASE("valid_deformers_have_no_conflict_and_are_completed_from_any_part") {
+  const auto valid = valid_deformers();
+  CHECK(valid.size() == 21);
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    CAPTURE(text(valid[i]));
+    CHECK_FALSE(conflict(valid[i]));
+    CHECK_FALSE(valid[i].stitched());
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(valid[i] == valid[j]);
+    CHECK(complete({valid[i].weighting.weights, valid[i].blend}) == valid[i]);
+    CHECK(complete({}, valid[i]) == valid[i]);
+  }
+  CHECK(preset_of(complete({})) == Preset::paper);
+  CHECK(preset_of(complete({.weights = Weights::mean_value})) == Preset::mean_value);
+  CHECK(text(complete({.blend = Blend::linear})) == "inverse, linear");
+}
+
+TEST_CASE("named_deformers_are_recognised_by_their_deformers_for_any_numbers") {
+  for (const Preset preset : viete::base::all_values<Preset>()) {
+    CAPTURE(viete::base::entry_of(preset).word);
+    Deformer s = deformer_of(preset);
+    CHECK_FALSE(conflict(s));
+    CHECK(s.weighting.elements == elements_of(s.weighting.weights, s.blend));
+    s.amounts = {0.5, 1.5};
+    s.weighting.radius = 0.4;
+    if (s.stitched()) s.iterations = 4, s.holding = {0.1, 0.2};
+    CHECK(preset_of(s) == preset);
+    s.iterations = s.stitched() ? 0 : 1;
+    if (s.has_maps()) CHECK(preset_of(s) != preset);
+  }
+  CHECK(default_deformer() == deformer_of(Preset::smooth));
+  CHECK(default_deformer(false) == deformer_of(Preset::paper));
+  CHECK(deformer_of(Preset::paper) == Deformer{});
+}
+
+TEST_CASE("a_pick_is_applied_with_the_fewest_other_changes") {
+  const auto check_pick = [](auto choice, const Deformer& now) {
+    const Deformer picked = chosen(choice, now);
+    CHECK(fits(only(choice), picked));
+    CHECK_FALSE(conflict(picked));
+    CHECK(picked.weighting.elements == elements_of(picked.weighting.weights, picked.blend));
+    if (fits(only(choice), now)) CHECK(picked == now);
+    return picked;
   };
-  using L = Link;
-  CHECK(timed(faces, Blend::srl) == std::set{L::maps, L::log_maps, L::blend, L::exp, L::apply, L::normals});
-  CHECK(timed(faces, Blend::linear) == std::set{L::maps, L::blend, L::apply, L::normals});
-  CHECK(timed(mean_values, Blend::linear) == std::set{L::blend, L::apply, L::normals});
-}
-
-TEST_CASE("frames_have_the_same_bits_for_any_number_of_threads") {
-  for (const auto& c : {faces, mean_values}) {
-    Bound one(tube(50, 30, 0.3, 1.5), box(), c, 1), four(tube(50, 30, 0.3, 1.5), box(), c, 4);
-    const Twist twist{2, {0, 0, 0}, -1, 1, 0, 150 * degree};
-    one.deform(one.pose(twist));
-    four.deform(four.pose(twist));
-    CHECK(largest_distance(one.deformer.positions(), four.deformer.positions()) == 0);
-    CHECK(largest_distance(one.deformer.normals(), four.deformer.normals()) == 0);
-  }
-}
-
-TEST_CASE("a_frame_does_not_depend_on_the_frames_before") {
-  Bound a(tube(20, 12, 0.3, 1.5), box()), b(tube(20, 12, 0.3, 1.5), box());
-  a.deform(a.pose(similarity({1, 2, 3}, 3, 7)));
-  const Pose pose = a.pose(shear());
-  CHECK(largest_distance(a.deform(pose), b.deform(pose)) == 0);
-}
-
-TEST_CASE("normals_turn_with_the_pose") {
-  Bound b(tube(20, 12, 0.3, 1.5), box());
-  const auto map = similarity({1, 2, 3}, 1.5);
-  b.deform(rest_pose(*b.cage));
-  const auto expected = mapped(b.deformer.normals(), map);
-  b.deform(b.pose(map));
-  CHECK(largest_distance(b.deformer.normals(), expected) < 1e-10);
-}
-
-TEST_CASE("vertices_are_float_positions_about_the_origin_and_packed_normals") {
-  Bound b(tube(20, 12, 0.3, 1.5), box());
-  b.deform(b.pose(similarity({1, 2, 3}, 1.5, 2, {1000, 0, 0})));
-  const auto positions = b.deformer.positions(), normals = b.deformer.normals();
-  REQUIRE(b.deformer.vertices().size() == positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const FrameVertex& v = b.deformer.vertices()[i];
-    for (int k = 0; k < 3; ++k) {
-      CHECK(v.position[k] == static_cast<float>(positions[i][k] - b.deformer.origin()[k]));
+  for (const Deformer& now : valid_deformers()) {
+    for (const Weights weights : viete::base::all_values<Weights>()) {
+      const Deformer picked = check_pick(weights, now);
+      if (weights != Weights::mean_value) CHECK(picked.blend == now.blend);
     }
-    CHECK(viete::base::norm(viete::base::unpack_normal(v.normal) - normals[i]) < 5e-5);
+    for (const Blend blend : viete::base::all_values<Blend>()) {
+      const Deformer picked = check_pick(blend, now);
+      if (now.weighting.weights != Weights::mean_value)
+        CHECK(picked.weighting.weights == now.weighting.weights);
+    }
+  }
+  const Deformer rigid = complete({.blend = Blend::mls_rigid});
+  CHECK(text(complete(only(Weights::mean_value), rigid)) == "mean-value, linear");
+  CHECK(text(complete(only(Blend::srl), deformer_of(Preset::mean_value))) == "inverse, srl");
+}
+
+TEST_CASE("incompatible_choices_are_rejected_with_the_reason") {
+  for (const Blend blend : {Blend::srl, Blend::mls_affine, Blend::mls_rigid}) {
+    try {
+      complete({.weights = Weights::mean_value, .blend = blend});
+      FAIL("was not refused");
+    } catch (const viete::base::Error& error) {
+      CHECK(mentions(error.what(), "cannot be combined"));
+      CHECK(mentions(error.what(), "need the linear blend"));
+    }
   }
 }
 
-TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponential") {
-  for (const Scheme& scheme : valid_schemes()) {
-    CAPTURE(text(scheme));
-    Frames f(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), scheme);
-    const bool exponential = scheme.exponential();
-    CHECK(exponential == (scheme.blend == Blend::srl));
-    CHECK(f.fused.binding().weights.empty());
-    CHECK(f.fused.engine(Method::fast) == EngineKind::fused);
-    CHECK(f.fused.engine(Method::diag).has_value() == !exponential);
-    const Pose pose = f.staged.pose(shear());
-    const auto exact = f.deform(pose);
-    CHECK(f.fused.times()[Link::fused] > 0);
-    CHECK(f.fused.sampled_error() > 0);
-    CHECK(f.staged.deformer.sampled_error() == 0);
-    const auto matrices = f.fused.sample_matrices(100), same = f.staged.deformer.sample_matrices(100);
-    CHECK(matrices.size() == (exponential ? 100 : 0));
-    // The fused deformer reads weights along the surface from its tiles, which store floats.
-    const double bound = scheme.weighting.on_surface() ? 1e-5 : 1e-13;
-    for (std::size_t i = 0; i < matrices.size(); ++i) {
-      const auto &a = matrices[i], &b = same[i];
-      CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < bound);
-    }
-    const auto both = std::make_shared<const Binding>(
-        viete::weights::bind(viete::mesh::lent(f.staged.model), *f.staged.cage, scheme.weighting,
-                             EngineKind::staged, &f.fused.binding(), f.staged.pool));
-    CHECK(both->tiles == f.fused.binding().tiles);
-    Deformer any(f.staged.cage, both, scheme, f.staged.pool);
-    any.deform(pose, Method::fast);
-    any.deform(pose, Method::diag);
-    CHECK(any.ran() == (exponential ? EngineKind::staged : EngineKind::fused));
-    CHECK(largest_distance(any.positions(), exact) < (exponential ? 1e-12 : 2e-5) * f.staged.cage->diagonal);
-  }
+TEST_CASE("stitching_is_kept_if_compatible_and_changes_the_deformer") {
+  Deformer stitched;
+  stitched.iterations = 2;
+  CHECK(stitched != Deformer());
+  CHECK(stitched.stitched());
+  CHECK_FALSE(conflict(stitched));
+  CHECK(text(stitched) == "inverse, srl, arap");
+  CHECK(complete(only(Weights::harmonic), stitched).iterations == 2);
+  CHECK(complete(only(Weights::mean_value), stitched).iterations == 0);
+  Deformer points = deformer_of(Preset::mean_value);
+  points.iterations = 1;
+  CHECK(conflict(points));
 }

@@ -94,17 +94,17 @@ TEST_CASE("each_pose_has_the_same_bits_alone_and_in_sequence") {
     for (const Weighting weighting : {faces, mean_values}) {
       if (stitched && weighting == mean_values) continue;  // these weights cannot be stitched
       const Bound b(stitched ? tube(8, 14, 0.9, 3) : cloud(700), tube(9, 12, 1.4, 4), weighting);
-      Scheme scheme{weighting, Blend::srl};
-      if (stitched) scheme.iterations = 2;
+      Deformer deformer{weighting, Blend::srl};
+      if (stitched) deformer.iterations = 2;
       const auto mask = std::make_shared<const std::vector<float>>(b.model.positions.size(), 0.75F);
       for (const Mask& painted : {Mask(), Mask(mask)}) {
         base::WorkerPool pool(2);
-        ExactDeformer kept(b.model, b.cage, scheme, Method::fast, pool, Kept::kept, painted);
-        ExactDeformer dropped(b.model, b.cage, scheme, Method::fast, pool, Kept::dropped, painted);
+        ExactDeformer kept(b.model, b.cage, deformer, Method::fast, pool, Kept::kept, painted);
+        ExactDeformer dropped(b.model, b.cage, deformer, Method::fast, pool, Kept::dropped, painted);
         for (const double by : {0.3, 1.0, 0.3}) {
           const Pose pose = b.pose([&](const Vec3& p) { return p + by * (bent_and_stretched(p) - p); });
           const auto alone =
-              deform::deform_exactly(b.model, b.cage, scheme, pose, Method::fast, pool, nullptr, painted);
+              deform::deform_exactly(b.model, b.cage, deformer, pose, Method::fast, pool, nullptr, painted);
           CHECK(kept.deform(pose).positions == alone.positions);
           CHECK(dropped.deform(pose).positions == alone.positions);
         }

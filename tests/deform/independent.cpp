@@ -280,9 +280,9 @@ void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surfa
   Corners u = corners(t, cage.positions);
   Vector d, theta, c, s;
   for (int i = 0; i < 3; ++i) {
-    const Vector way = minus(u[i], p);
-    d[i] = length(way);
-    u[i] = plus({0, 0, 0}, way, 1 / d[i]);
+    const Vector preset = minus(u[i], p);
+    d[i] = length(preset);
+    u[i] = plus({0, 0, 0}, preset, 1 / d[i]);
   }
   for (int i = 0; i < 3; ++i) theta[i] = 2 * asinq(length(minus(u[(i + 1) % 3], u[(i + 2) % 3])) / 2);
   const Quad h = (theta[0] + theta[1] + theta[2]) / 2;
@@ -396,25 +396,25 @@ Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Q
 
 Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                 const std::vector<Element>& elements, const std::vector<Quad>& w,
-                const pose::Scheme& scheme) {
-  if (pose::fits_points(scheme.blend)) {
+                const pose::Deformer& deformer) {
+  if (pose::fits_points(deformer.blend)) {
     const Quad share = sum_of(w);
     if (!(share > 0)) return x;
     auto whole = w;
     divide_by_sum(whole);
-    return plus(x, minus(by_least_squares(x, cage, pose, whole, scheme.blend), x), share);
+    return plus(x, minus(by_least_squares(x, cage, pose, whole, deformer.blend), x), share);
   }
-  if (scheme.weighting.elements == pose::Elements::point)
+  if (deformer.weighting.elements == pose::Elements::point)
     return plus(x, minus(mean(pose.positions, w), mean(cage.positions, w)));
-  return by_elements(x, elements, w, scheme.blend);
+  return by_elements(x, elements, w, deformer.blend);
 }
 
 }  // namespace
 
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
-                                      const IndependentPose& pose, const pose::Scheme& scheme) {
+                                      const IndependentPose& pose, const pose::Deformer& deformer) {
   Maps maps;
-  if (scheme.has_maps()) {
+  if (deformer.has_maps()) {
     maps = face_maps(cage, pose.positions);
     choose_turns(maps.elements, maps.around, quad(pose.turn));
   }
@@ -422,14 +422,14 @@ IndependentFrame deform_independently(std::span<const mesh::Point> points, const
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector x = quad(points[i]);
     std::vector<Quad> weights;
-    if (scheme.weighting.on_surface()) {
+    if (deformer.weighting.on_surface()) {
       const std::size_t handles = pose.weights.size() / points.size();
       const auto row = pose.weights.subspan(i * handles, handles);
       weights.assign(row.begin(), row.end());
     } else {
-      weights = weights_at(x, cage, scheme.weighting);
+      weights = weights_at(x, cage, deformer.weighting);
     }
-    const Vector moved = moved_by(x, cage, pose, maps.elements, weights, scheme);
+    const Vector moved = moved_by(x, cage, pose, maps.elements, weights, deformer);
     frame.positions.push_back(
         {static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])});
   }

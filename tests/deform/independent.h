@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mesh/surface.h"
+#include "pose/deformer.h"
 #include "pose/maps.h"
-#include "pose/scheme.h"
 
 namespace viete::test {
 
@@ -32,8 +32,8 @@ struct IndependentFrame {
 ///   - Blends are exp(Y) * exp(X) * (x - sum w * c) + sum w * c', the sum of maps, or moving least squares.
 ///   - Each log is the branch nearest to a neighbour's log. This is unique if largest_step < a quarter turn.
 /// The cage must be one closed part. Its triangles must have area at rest and posed. No point may be on the
-/// cage. Ignores the scheme's amounts and iterations.
+/// cage. Ignores the deformer's amounts and iterations.
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
-                                      const IndependentPose& pose, const pose::Scheme& scheme);
+                                      const IndependentPose& pose, const pose::Deformer& deformer);
 
 }  // namespace viete::test

@@ -56,17 +56,17 @@ std::vector<mesh::Surface> polygon_cages() {
 }
 
 std::vector<mesh::Point> deformed(const mesh::Surface& model, const mesh::Surface& cage,
-                                  const std::vector<mesh::Point>& pose, const Scheme& scheme) {
+                                  const std::vector<mesh::Point>& pose, const Deformer& deformer) {
   base::WorkerPool pool(1);
-  return deform::deform_exactly(model, std::make_shared<const Cage>(make_cage(cage)), scheme, {pose, {}},
-                        sym3::Method::diag, pool)
+  return deform::deform_exactly(model, std::make_shared<const Cage>(make_cage(cage)), deformer, {pose, {}},
+                                sym3::Method::diag, pool)
       .positions;
 }
 
-std::vector<Scheme> every_scheme() {
-  auto schemes = valid_schemes();
-  for (const Way way : base::all_values<Way>()) schemes.push_back(scheme_of(way));
-  return schemes;
+std::vector<Deformer> every_deformer() {
+  auto deformers = valid_deformers();
+  for (const Preset preset : base::all_values<Preset>()) deformers.push_back(deformer_of(preset));
+  return deformers;
 }
 
 mesh::Surface jittered(mesh::Surface s, double by) {
@@ -86,12 +86,12 @@ TEST_CASE("no_deformer_depends_on_the_first_corners_or_the_order_of_the_cages_fa
     for (std::size_t f = 0; f < faces.size(); ++f)
       std::ranges::rotate(faces[f], faces[f].begin() + 1 + static_cast<std::ptrdiff_t>(f % 3));
     const mesh::Surface other = polygons(cage.positions, faces);
-    for (const Scheme& scheme : every_scheme()) {
-      CAPTURE(text(scheme));
+    for (const Deformer& deformer : every_deformer()) {
+      CAPTURE(text(deformer));
       CAPTURE(cage.positions.size());
-      const auto one = deformed(model, cage, pose, scheme);
-      CHECK(largest_distance(one, deformed(model, other, pose, scheme)) < 1e-12);
-      CHECK((scheme.weighting.partial() || largest_distance(one, model.positions) > 0.05));
+      const auto one = deformed(model, cage, pose, deformer);
+      CHECK(largest_distance(one, deformed(model, other, pose, deformer)) < 1e-12);
+      CHECK((deformer.weighting.partial() || largest_distance(one, model.positions) > 0.05));
     }
   }
 }
@@ -213,24 +213,24 @@ TEST_CASE("models_of_bent_polygons_deform_symmetrically_whatever_their_first_cor
       CHECK(largest_distance(there, shape(other)) < 1e-12);
     };
     check(halfway);
-    auto schemes = every_scheme();
-    schemes.push_back(scheme_of(Way::arap)), schemes.back().iterations = 3;
-    for (const Scheme& scheme : schemes) {
-      CAPTURE(text(scheme));
-      check([&](const mesh::Surface& s) { return deformed(s, cage, pose, scheme); });
+    auto deformers = every_deformer();
+    deformers.push_back(deformer_of(Preset::arap)), deformers.back().iterations = 3;
+    for (const Deformer& deformer : deformers) {
+      CAPTURE(text(deformer));
+      check([&](const mesh::Surface& s) { return deformed(s, cage, pose, deformer); });
     }
   }
 }
 
 TEST_CASE("affine_poses_of_polygon_cages_are_exact_and_unmoved_ones_keep_every_vertex") {
   for (const mesh::Surface& cage : polygon_cages()) {
-    for (const Scheme& scheme : whole_schemes()) {
-      CAPTURE(text(scheme));
-      Bound b(test::sphere(2), jittered(cage, 0.02), scheme.weighting, 1, scheme.blend);
+    for (const Deformer& deformer : whole_deformers()) {
+      CAPTURE(text(deformer));
+      Bound b(test::sphere(2), jittered(cage, 0.02), deformer.weighting, 1, deformer.blend);
       CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
       CHECK(b.error(similarity({1, -2, 3}, 40 * degree, 1.0, {2, 1, -1})) < 1e-12);
       const bool promised =
-          scheme.weighting.weights == Weights::mean_value || scheme.blend == Blend::mls_affine;
+          deformer.weighting.weights == Weights::mean_value || deformer.blend == Blend::mls_affine;
       if (promised) CHECK(b.error(shear()) < 1e-12);
     }
   }
@@ -269,9 +269,9 @@ TEST_CASE("a_repeated_face_of_a_cage_is_ignored_with_a_note") {
   CHECK(cage.closed);
   const mesh::Surface model = jittered(test::sphere(2), 0.01);
   const auto pose = jittered(once, 0.3).positions;
-  for (const Way way : base::all_values<Way>())
-    CHECK(largest_distance(deformed(model, twice, pose, scheme_of(way)),
-                           deformed(model, once, pose, scheme_of(way))) < 1e-13);
+  for (const Preset preset : base::all_values<Preset>())
+    CHECK(largest_distance(deformed(model, twice, pose, deformer_of(preset)),
+                           deformed(model, once, pose, deformer_of(preset))) < 1e-13);
 }
 
 TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically") {
@@ -288,16 +288,16 @@ TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically")
       mirrored.push_back(
           static_cast<std::size_t>(std::ranges::find(ball.positions, image(p)) - ball.positions.begin()));
     const auto map = similarity({1, 2, -1}, 37 * degree, 1, {1000, -500, 2000});
-    for (const Scheme& scheme : every_scheme()) {
-      CAPTURE(text(scheme));
+    for (const Deformer& deformer : every_deformer()) {
+      CAPTURE(text(deformer));
       CAPTURE(levels);
-      const auto there = deformed(ball, cage, pose, scheme);
+      const auto there = deformed(ball, cage, pose, deformer);
       std::vector<mesh::Point> images;
       for (const auto v : mirrored) images.push_back(image(there[v]));
       CHECK(largest_distance(there, images) < 1e-11);
-      const auto turned = deformed(mapped(ball, map), mapped(cage, map), mapped(pose, map), scheme);
+      const auto turned = deformed(mapped(ball, map), mapped(cage, map), mapped(pose, map), deformer);
       CHECK(largest_distance(turned, mapped(there, map)) < 1e-8);
-      const auto noisy = deformed(jittered(ball, 1e-12), cage, pose, scheme);
+      const auto noisy = deformed(jittered(ball, 1e-12), cage, pose, deformer);
       CHECK(largest_distance(noisy, there) < 1e-9);
     }
   }

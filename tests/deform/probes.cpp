@@ -248,11 +248,11 @@ TEST_CASE("a_mask_counts_for_probes_and_results_do_not_depend_on_threads") {
 
 TEST_CASE("probes_follow_the_cage_in_every_engine") {
   const Twist twist{2, {0, 0, 0}, -1, 1, 0, 100 * degree};
-  for (const Scheme& scheme :
-       {Scheme{faces}, Scheme{faces, Blend::linear}, Scheme{mean_values, Blend::linear}, Scheme{biharmonics},
-        Scheme{.weighting = {}, .iterations = 1}}) {
-    CAPTURE(text(scheme));
-    Frames f(probed_tube(), box(), scheme);
+  for (const Deformer& deformer :
+       {Deformer{faces}, Deformer{faces, Blend::linear}, Deformer{mean_values, Blend::linear},
+        Deformer{biharmonics}, Deformer{.weighting = {}, .iterations = 1}}) {
+    CAPTURE(text(deformer));
+    Frames f(probed_tube(), box(), deformer);
     const Pose pose = f.staged.pose(twist);
     const auto without = f.deform(pose);
     // The probes move the positions that a frame without probes has.
@@ -262,15 +262,15 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
     layer.move_all(carried, Method::fast);
     f.set_probes(some_probes());
     CHECK(f.deform(pose) == carried);
-    CHECK(f.fused.times()[Link::probes] > 0);
-    if (scheme.stitched()) continue;
+    CHECK(f.fused.times()[Stage::probes] > 0);
+    if (deformer.stitched()) continue;
     // Each probe follows the position of its nearest vertex in a frame without probes.
     const auto ridden = f.fused.probes().carried();
     const double diagonal = f.staged.cage->diagonal;
     for (std::size_t i = 0; i < ridden.size(); ++i) {
       const auto v = f.fused.probes().anchors()[i];
-      const Vec3 way = without[v] - probed_tube().positions[v];
-      CHECK(norm(f.fused.origin() + ridden[i] - (some_probes().all[i].place + way)) / diagonal < 2e-5);
+      const Vec3 preset = without[v] - probed_tube().positions[v];
+      CHECK(norm(f.fused.origin() + ridden[i] - (some_probes().all[i].place + preset)) / diagonal < 2e-5);
     }
     // A frame does not depend on earlier frames, nor on a drag.
     const auto whole = f.fused.positions();
@@ -279,7 +279,7 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
     CHECK(largest_distance(f.fused.positions(), whole) / diagonal < 2e-6);
     f.set_probes({});
     CHECK(f.deform(pose) == without);
-    CHECK(f.fused.times()[Link::probes] == 0);
+    CHECK(f.fused.times()[Stage::probes] == 0);
     CHECK(f.fused.probes().places().empty());
   }
 }
@@ -307,7 +307,7 @@ TEST_CASE("without_a_cage_a_model_stays_at_rest_and_follows_probes") {
   const auto binding = std::make_shared<const Binding>(
       viete::weights::bind(std::make_shared<const viete::mesh::Surface>(probed_tube()), *cage,
                            no_motion().weighting, EngineKind::fused, nullptr, pool));
-  Deformer deformer(cage, binding, no_motion(), pool);
+  FrameDeformer deformer(cage, binding, no_motion(), pool);
   deformer.set_probes({{probe_at({0, 0, 1}, within(0.8))}});
   deformer.deform(rest_pose(*cage), Method::fast);
   CHECK(largest_distance(deformer.positions(), probed_tube().positions) < 1e-6);

@@ -36,9 +36,9 @@ constexpr Method methods[] = {Method::diag, Method::sd, Method::improved_sd, Met
 
 TEST_CASE("unmoved_cage_keeps_every_vertex") {
   for (const auto& cage : cages()) {
-    for (const Scheme& scheme :
-         {Scheme{faces}, Scheme{faces, Blend::linear}, Scheme{mean_values, Blend::linear}}) {
-      Bound b(model_across(), cage, scheme.weighting, 2, scheme.blend);
+    for (const Deformer& deformer :
+         {Deformer{faces}, Deformer{faces, Blend::linear}, Deformer{mean_values, Blend::linear}}) {
+      Bound b(model_across(), cage, deformer.weighting, 2, deformer.blend);
       for (const auto method : methods) {
         CHECK(largest_distance(b.deform(rest_pose(*b.cage), method), b.model.positions) <
               1e-14 * b.cage->diagonal);

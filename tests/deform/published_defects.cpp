@@ -4,13 +4,13 @@
 //  3 Distances depend on units: weights_are_the_same_at_every_length_scale_and_finite_everywhere
 //  4 Barycentric coordinates use a wrong axis: weights_match_their_definition_in_long_double
 //  5 Infinite distances: weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_plane
-//  6 NaN weights: vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme
+//  6 NaN weights: vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_deformer
 //  7 Rotations about the world's origin: maps_fitted_to_points_are_exact_far_from_the_origin
 //  8 Whole turns: nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference
 //  9 Branches depend only on earlier frames: neighbours_turned_by_179_and_181_degrees_blend_to_180
 // 10 Mirroring maps have no rotation: singular_and_mirroring_matrices_have_a_proper_rotation
-// 11 Uniform scaling stretches two directions: every_scheme_keeps_rest_and_follows_similarities
-// 12 Sums below 1 are ignored: frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision
+// 11 Uniform scaling stretches two directions: every_deformer_keeps_rest_and_follows_similarities
+// 12 Sums below 1 are ignored: frames_of_every_deformer_agree_with_an_evaluation_in_quad_precision
 // 14, 15 Log and exponential lose digits where eigenvalues coincide: tests/sym3
 // 16 Rest is the first frame's pose: a_frame_does_not_depend_on_the_frames_before
 // 17 Stitched surfaces have undetermined vertices, races, and thresholds with units: stitching.cpp
@@ -25,10 +25,10 @@ using namespace viete::test;
 
 namespace {
 
-// Returns each weighting that a scheme uses, without repetitions.
+// Returns each weighting that a deformer uses, without repetitions.
 std::vector<Weighting> all_weightings() {
   std::vector<Weighting> all;
-  for (const Scheme& s : whole_schemes()) {
+  for (const Deformer& s : whole_deformers()) {
     if (std::ranges::find(all, s.weighting) == all.end()) all.push_back(s.weighting);
   }
   return all;
@@ -71,7 +71,7 @@ TEST_CASE("weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_
   }
 }
 
-TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme") {
+TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_deformer") {
   const auto surface = box({1, 1.1, 1.2});
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -86,9 +86,9 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
   }
   const auto model = mesh::from_triangles(p, t);
   const auto map = similarity({1, -2, 3}, 2, 1, {1, 2, 3});
-  for (const Scheme& scheme : whole_schemes()) {
-    CAPTURE(text(scheme));
-    Bound b(model, surface, scheme.weighting, 1, scheme.blend);
+  for (const Deformer& deformer : whole_deformers()) {
+    CAPTURE(text(deformer));
+    Bound b(model, surface, deformer.weighting, 1, deformer.blend);
     for (std::size_t i = 0; i < p.size(); ++i)
       CHECK(total_of(weights_of(*b.binding, i)) == doctest::Approx(1).epsilon(1e-10));  // also fails for NaN
     CHECK(b.error(map) < 1e-10);
@@ -99,9 +99,9 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
 TEST_CASE("neighbours_turned_by_179_and_181_degrees_blend_to_180") {
   const Twist twist{2, {0, 0, 0}, -0.9, 0.9, 179 * degree, 181 * degree};
   const auto half_a_turn = similarity({0, 0, 1}, 180 * degree);
-  for (const Scheme& scheme : whole_schemes()) {
-    CAPTURE(text(scheme));
-    Bound b(tube(5, 6, 0.3, 1.4), tube(5, 5, 0.5, 1.8), scheme.weighting, 1, scheme.blend);
+  for (const Deformer& deformer : whole_deformers()) {
+    CAPTURE(text(deformer));
+    Bound b(tube(5, 6, 0.3, 1.4), tube(5, 5, 0.5, 1.8), deformer.weighting, 1, deformer.blend);
     const double off = largest_distance(b.deform(b.pose(twist)), mapped(b.model.positions, half_a_turn));
     CHECK(off < 1.5 * degree * 0.5);  // would be 0.6 if rotations blended to 0
   }

@@ -26,13 +26,13 @@ Mask half_of_it(const mesh::Surface& model) {
   return std::make_shared<const std::vector<float>>(std::move(mask));
 }
 
-Frames shaped_frames(const Scheme& scheme) {
-  return Frames(shaped_model(), tube(9, 7, 0.4, 2.2), scheme);
+Frames shaped_frames(const Deformer& deformer) {
+  return Frames(shaped_model(), tube(9, 7, 0.4, 2.2), deformer);
 }
 
-std::vector<Scheme> shaped_schemes() {
-  std::vector<Scheme> all = whole_schemes();
-  for (const Way way : base::all_values<Way>()) all.push_back(scheme_of(way));
+std::vector<Deformer> shaped_deformers() {
+  std::vector<Deformer> all = whole_deformers();
+  for (const Preset preset : base::all_values<Preset>()) all.push_back(deformer_of(preset));
   return all;
 }
 
@@ -41,16 +41,16 @@ const Twist shaped_twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
 }  // namespace
 
 TEST_CASE("shapes_follow_similarities_and_without_one_the_model_is_the_same_to_the_bit") {
-  for (const Scheme& scheme : shaped_schemes()) {
-    CAPTURE(text(scheme));
-    Frames f = shaped_frames(scheme);
+  for (const Deformer& deformer : shaped_deformers()) {
+    CAPTURE(text(deformer));
+    Frames f = shaped_frames(deformer);
     const SharedShape shape = bent(f.staged.model);
     const Pose pose = f.staged.pose(shaped_twist);
     const auto before = f.deform(pose);
     f.set_shape(shape);
     CHECK(largest_distance(f.deform(rest_pose(*f.staged.cage)), *shape) < 1e-12 * f.staged.cage->diagonal);
-    if (!scheme.weighting.partial()) {
-      const double grown = scheme.blend == Blend::mls_rigid ? 1 : 1.5;
+    if (!deformer.weighting.partial()) {
+      const double grown = deformer.blend == Blend::mls_rigid ? 1 : 1.5;
       const auto turned = similarity({1, -2, 3}, 80 * degree, grown, {1, 0.5, -2});
       CHECK(largest_distance(f.deform(f.staged.pose(turned)), mapped(*shape, turned)) <
             1e-10 * f.staged.cage->diagonal);

@@ -23,8 +23,8 @@ Mask everywhere(float share) {
   return std::make_shared<const std::vector<float>>(shared_model().positions.size(), share);
 }
 
-Frames shared_frames(const Scheme& scheme, const mesh::Surface& cage = tube(9, 7, 0.4, 2.2)) {
-  return Frames(shared_model(), cage, scheme);
+Frames shared_frames(const Deformer& deformer, const mesh::Surface& cage = tube(9, 7, 0.4, 2.2)) {
+  return Frames(shared_model(), cage, deformer);
 }
 
 const Twist shared_twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
@@ -32,14 +32,14 @@ const Twist shared_twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
 }  // namespace
 
 TEST_CASE("a_mask_of_ones_changes_nothing_and_one_of_zeros_leaves_the_model_at_rest") {
-  auto schemes = whole_schemes();
-  for (const int iterations : {1, 3}) schemes.push_back({.weighting = {}, .iterations = iterations});
-  for (const Scheme& scheme : schemes) {
-    CAPTURE(text(scheme));
-    Frames f = shared_frames(scheme);
+  auto deformers = whole_deformers();
+  for (const int iterations : {1, 3}) deformers.push_back({.weighting = {}, .iterations = iterations});
+  for (const Deformer& deformer : deformers) {
+    CAPTURE(text(deformer));
+    Frames f = shared_frames(deformer);
     const Pose pose = f.staged.pose(shared_twist);
     const auto whole = f.deform(pose);
-    const double solved = scheme.stitched() ? 1e-10 : 0, diagonal = f.staged.cage->diagonal;
+    const double solved = deformer.stitched() ? 1e-10 : 0, diagonal = f.staged.cage->diagonal;
     f.set_mask(everywhere(1));
     CHECK(largest_distance(f.deform(pose), whole) < (1e-12 + solved) * diagonal);
     f.set_mask(everywhere(0));
@@ -52,20 +52,20 @@ TEST_CASE("a_mask_of_ones_changes_nothing_and_one_of_zeros_leaves_the_model_at_r
 }
 
 TEST_CASE("shares_scale_translations_and_linearly_blended_rotations") {
-  const Vec3 way{3, -1, 2};
-  const auto moved = [&](const Vec3& x) { return x + way; };
+  const Vec3 preset{3, -1, 2};
+  const auto moved = [&](const Vec3& x) { return x + preset; };
   const auto turned = similarity({1, -2, 3}, 80 * degree);
-  for (const Scheme& scheme : whole_schemes()) {
-    CAPTURE(text(scheme));
-    Frames f = shared_frames(scheme);
+  for (const Deformer& deformer : whole_deformers()) {
+    CAPTURE(text(deformer));
+    Frames f = shared_frames(deformer);
     f.set_mask(ramp(f.staged.model));
     const auto& rest = f.staged.model.positions;
     const auto by_way = f.deform(f.staged.pose(moved)), by_turn = f.deform(f.staged.pose(turned));
     for (std::size_t i = 0; i < rest.size(); i += 7) {
       const double s = static_cast<double>((*f.mask)[i]);
-      CHECK(norm(by_way[i] - (rest[i] + s * way)) < 1e-12);
+      CHECK(norm(by_way[i] - (rest[i] + s * preset)) < 1e-12);
       const Vec3 straight = (1 - s) * rest[i] + s * turned(rest[i]);
-      if (scheme.blend == Blend::linear) CHECK(norm(by_turn[i] - straight) < 1e-12);
+      if (deformer.blend == Blend::linear) CHECK(norm(by_turn[i] - straight) < 1e-12);
     }
   }
 }
@@ -85,33 +85,33 @@ TEST_CASE("shares_scale_rotation_stretch_and_translation_about_the_centre_of_the
 }
 
 TEST_CASE("shares_do_not_depend_on_the_position_of_the_scene") {
-  const Vec3 way{1000, -2000, 500};
-  const auto there = [&](const mesh::Surface& surface) { return mapped(surface, scaling(1, way)); };
+  const Vec3 preset{1000, -2000, 500};
+  const auto there = [&](const mesh::Surface& surface) { return mapped(surface, scaling(1, preset)); };
   for (const Weighting& weighting : {test::cut_off(0.1), faces}) {
     Frames here = shared_frames({weighting});
     Bound moved(there(shared_model()), there(tube(9, 7, 0.4, 2.2)), weighting);
     here.set_mask(ramp(here.staged.model));
     moved.deformer.set_mask(here.mask);
     const auto a = here.deform(here.staged.pose(shared_twist));
-    const auto b = moved.deform(moved.pose([&](const Vec3& x) { return shared_twist(x - way) + way; }));
-    CHECK(largest_distance(mapped(a, [&](const Vec3& x) { return x + way; }), b) < 1e-11);
+    const auto b = moved.deform(moved.pose([&](const Vec3& x) { return shared_twist(x - preset) + preset; }));
+    CHECK(largest_distance(mapped(a, [&](const Vec3& x) { return x + preset; }), b) < 1e-11);
   }
 }
 
 TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_every_bit_beyond") {
-  for (Scheme scheme : valid_schemes()) {
-    if (!scheme.weighting.partial()) continue;
-    CAPTURE(text(scheme));
-    scheme.weighting.radius = 0.08;
-    Frames f = shared_frames(scheme);
+  for (Deformer deformer : valid_deformers()) {
+    if (!deformer.weighting.partial()) continue;
+    CAPTURE(text(deformer));
+    deformer.weighting.radius = 0.08;
+    Frames f = shared_frames(deformer);
     const auto posed = f.deform(f.staged.pose(similarity({0, 0, 1}, 30 * degree, 1.1, {0.2, 0, 0})));
     CHECK(largest_edge_stretch(f.staged.model, posed) < 5);
     const auto& shares = f.staged.binding->shares;
     std::size_t staying = 0, partly = 0;
     for (std::size_t i = 0; i < posed.size(); ++i) {
-      const double way = norm(posed[i] - f.staged.model.positions[i]);
-      if (shares[i] == 0) CHECK(way < 1e-15);
-      if (shares[i] > 0.5) CHECK(way > 0.01);
+      const double preset = norm(posed[i] - f.staged.model.positions[i]);
+      if (shares[i] == 0) CHECK(preset < 1e-15);
+      if (shares[i] > 0.5) CHECK(preset > 0.01);
       staying += shares[i] == 0, partly += shares[i] > 0 && shares[i] < 1;
     }
     CHECK(staying > 20);
@@ -119,8 +119,8 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_eve
     // A mask scales the shares. With a radius larger than the cage, all shares are 1 and are not stored.
     f.set_mask(everywhere(0.5f));
     f.deform(f.staged.pose(shared_twist));
-    scheme.weighting.radius = number("radius").largest;
-    CHECK(shared_frames(scheme).staged.binding->shares.empty());
+    deformer.weighting.radius = number("radius").largest;
+    CHECK(shared_frames(deformer).staged.binding->shares.empty());
   }
 }
 

@@ -16,22 +16,22 @@ mesh::Surface stitched_model() {
 
 const Twist stitched_twist{2, {0.1, 0, 0}, -2.2, 2.2, -60 * degree, 70 * degree};
 
-Frames stitched_frames(const Scheme& scheme, int threads = 2) {
-  return Frames(stitched_model(), tube(9, 7, 0.8, 4.4), scheme, threads);
+Frames stitched_frames(const Deformer& deformer, int threads = 2) {
+  return Frames(stitched_model(), tube(9, 7, 0.8, 4.4), deformer, threads);
 }
 
-Scheme stitched_srl(int iterations = 1) {
+Deformer stitched_srl(int iterations = 1) {
   return {.weighting = {Elements::face, Weights::inverse}, .iterations = iterations};
 }
 
 }  // namespace
 
 TEST_CASE("stitched_frames_equal_double_precision_up_to_the_sums") {
-  for (Scheme scheme : whole_schemes()) {
-    for (scheme.iterations = 1; scheme.iterations <= 2; ++scheme.iterations) {
-      if (conflict(scheme)) continue;
-      CAPTURE(text(scheme));
-      Frames f = stitched_frames(scheme);
+  for (Deformer deformer : whole_deformers()) {
+    for (deformer.iterations = 1; deformer.iterations <= 2; ++deformer.iterations) {
+      if (conflict(deformer)) continue;
+      CAPTURE(text(deformer));
+      Frames f = stitched_frames(deformer);
       CHECK(f.fused.engine(fast) == EngineKind::stitched);
       f.fused.deform(rest_pose(*f.staged.cage), fast);
       const double diagonal = f.staged.cage->diagonal;
@@ -88,7 +88,7 @@ TEST_CASE("normals_of_stitched_frames_are_of_the_stitched_surface") {
 
 TEST_CASE("a_stitched_drag_is_a_full_frame") {
   for (const int iterations : {1, 2}) {
-    Frames dragged = stitched_frames(stitched_srl(iterations)), whole = stitched_frames(dragged.scheme);
+    Frames dragged = stitched_frames(stitched_srl(iterations)), whole = stitched_frames(dragged.deformer);
     Pose pose = dragged.staged.pose(stitched_twist);
     dragged.deform(pose);
     dragged.fused.begin_drag(std::array{40u});
@@ -123,14 +123,14 @@ TEST_CASE("vertices_with_holds_reach_their_blended_positions_in_stitched_frames"
   }
 }
 
-TEST_CASE("without_a_stitching_a_stitched_scheme_falls_back_to_blending_with_its_error") {
+TEST_CASE("without_a_stitching_a_stitched_deformer_falls_back_to_blending_with_its_error") {
   const Mask none, half = std::make_shared<const std::vector<float>>(stitched_model().positions.size(), 0.4f);
   for (const Mask& mask : {none, half}) {
     Frames f = stitched_frames(stitched_srl()), blended = stitched_frames({});
     const Pose pose = f.staged.pose(stitched_twist);
     f.set_mask(mask), blended.set_mask(mask);
     const auto tiles = std::make_shared<const Binding>(f.fused.binding());
-    Deformer waiting(f.staged.cage, tiles, f.scheme, f.staged.pool);
+    FrameDeformer waiting(f.staged.cage, tiles, f.deformer, f.staged.pool);
     CHECK(!waiting.engine(fast));
     waiting.set_mask(mask);
     waiting.deform(pose, fast);
@@ -143,15 +143,15 @@ TEST_CASE("without_a_stitching_a_stitched_scheme_falls_back_to_blending_with_its
   }
 }
 
-TEST_CASE("stitched_frames_run_every_method_and_time_their_links") {
+TEST_CASE("stitched_frames_run_every_method_and_time_their_stages") {
   Frames f = stitched_frames(stitched_srl());
   const Pose pose = f.staged.pose(stitched_twist);
   f.deform(pose);
   const auto by_fast = f.fused.positions();
   f.fused.deform(pose, sym3::Method::diag);
   CHECK(largest_distance(f.fused.positions(), by_fast) < 1e-12);
-  const LinkTimes times = f.fused.times();
-  for (const Link link : {Link::blend, Link::triangle_maps, Link::solve, Link::normals})
-    CHECK(times[link] > 0);
-  CHECK(times[Link::fused] == 0);
+  const StageTimes times = f.fused.times();
+  for (const Stage stage : {Stage::blend, Stage::triangle_maps, Stage::solve, Stage::normals})
+    CHECK(times[stage] > 0);
+  CHECK(times[Stage::fused] == 0);
 }

@@ -7,15 +7,15 @@ using namespace viete::test;
 
 namespace {
 
-Scheme stitched(Blend blend = Blend::srl, int iterations = 1) {
+Deformer stitched(Blend blend = Blend::srl, int iterations = 1) {
   return {.weighting = {}, .blend = blend, .iterations = iterations};
 }
 
-std::vector<Scheme> all_stitched(int iterations = 1) {
-  std::vector<Scheme> all;
-  for (Scheme scheme : valid_schemes()) {
-    scheme.iterations = iterations;
-    if (!conflict(scheme)) all.push_back(scheme);
+std::vector<Deformer> all_stitched(int iterations = 1) {
+  std::vector<Deformer> all;
+  for (Deformer deformer : valid_deformers()) {
+    deformer.iterations = iterations;
+    if (!conflict(deformer)) all.push_back(deformer);
   }
   return all;
 }
@@ -24,18 +24,18 @@ struct StitchScene {
   explicit StitchScene(const mesh::Surface& model_, const mesh::Surface& cage_surface = tube(9, 7, 0.8, 4.4))
       : model(model_), cage(std::make_shared<const Cage>(make_cage(cage_surface))) {}
 
-  std::vector<mesh::Point> deform(const Pose& pose, const Scheme& scheme = stitched()) const {
+  std::vector<mesh::Point> deform(const Pose& pose, const Deformer& deformer = stitched()) const {
     base::WorkerPool pool(2);
-    return deform::deform_exactly(model, cage, scheme, pose, sym3::Method::fast, pool).positions;
+    return deform::deform_exactly(model, cage, deformer, pose, sym3::Method::fast, pool).positions;
   }
   template <class Map>
   Pose pose(const Map& map) const {
     return {mapped(cage->surface.positions, map), {}};
   }
   template <class Map>
-  double error(const Map& map, const Scheme& scheme) const {
+  double error(const Map& map, const Deformer& deformer) const {
     const Pose p = pose(map);
-    return largest_distance(deform(p, scheme), mapped(model.positions, map)) /
+    return largest_distance(deform(p, deformer), mapped(model.positions, map)) /
            mesh::bounds(p.positions).diagonal();
   }
 
@@ -94,13 +94,13 @@ double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std
 TEST_CASE("stitching_keeps_rest_and_follows_similarities_for_every_blend") {
   const StitchScene s(pipe());
   for (const int iterations : {1, 3}) {
-    for (const Scheme& scheme : all_stitched(iterations)) {
-      CAPTURE(text(scheme));
-      CHECK(s.error([](const Vec3& x) { return x; }, scheme) < 1e-12);
+    for (const Deformer& deformer : all_stitched(iterations)) {
+      CAPTURE(text(deformer));
+      CHECK(s.error([](const Vec3& x) { return x; }, deformer) < 1e-12);
       for (const double angle : {1e-9, 90.0, 180.0, 270.0}) {
         for (const double scale : {1e-3, 1.0, 1e3})
-          CHECK(s.error(similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale}), scheme) <
-                1e-11);
+          CHECK(s.error(similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale}),
+                        deformer) < 1e-11);
       }
     }
   }
@@ -109,9 +109,9 @@ TEST_CASE("stitching_keeps_rest_and_follows_similarities_for_every_blend") {
 TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
   const StitchScene here(rough_pipe());  // irregular, so that the nearest triangle is unique
   const auto posed = here.deform(here.pose(pipe_twist));
-  for (const auto& [scale, way] :
+  for (const auto& [scale, preset] :
        {std::pair{1.0, Vec3{1000, -2000, 500}}, {1e-6, Vec3{0, 0, 0}}, {1e6, Vec3{3e6, 0, 0}}}) {
-    const auto moved = [&, scale = scale, way = way](const Vec3& x) { return scale * x + way; };
+    const auto moved = [&, scale = scale, preset = preset](const Vec3& x) { return scale * x + preset; };
     const StitchScene there(mapped(here.model, moved), mapped(here.cage->surface, moved));
     const Pose pose{mapped(here.pose(pipe_twist).positions, moved), {}};
     CHECK(largest_distance(there.deform(pose), mapped(posed, moved)) < 1e-9 * scale);
@@ -143,11 +143,11 @@ TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
   CHECK(least > 1e-3);  // the pins contradict the maps
   Random random(5);
   for (int i = 0; i < 20; ++i) {
-    std::vector<Vec3> way;
-    for (std::size_t v = 0; v < solved.size(); ++v) way.push_back(random.vector(1));
+    std::vector<Vec3> preset;
+    for (std::size_t v = 0; v < solved.size(); ++v) preset.push_back(random.vector(1));
     const auto there = [&](double t) {
       auto positions = solved;
-      for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = positions[v] + t * way[v];
+      for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = positions[v] + t * preset[v];
       return energy(positions);
     };
     const double slope = (there(1e-4) - there(-1e-4)) / 2e-4,
@@ -160,11 +160,11 @@ TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
 TEST_CASE("refitting_rotations_lowers_the_energy_each_time") {
   const StitchScene s(pipe());
   base::WorkerPool pool(2);
-  for (const Scheme& scheme : {stitched(), stitched(Blend::linear)}) {
-    CageState state(s.cage, scheme.weighting.elements, scheme.blend);
+  for (const Deformer& deformer : {stitched(), stitched(Blend::linear)}) {
+    CageState state(s.cage, deformer.weighting.elements, deformer.blend);
     state.set_pose(s.pose(bent_pipe));
     const Rows rows = state.rows();
-    const Binding binding = bind(s.model, *s.cage, scheme.weighting, pool);
+    const Binding binding = bind(s.model, *s.cage, deformer.weighting, pool);
     std::vector<double> sums(binding.vertices * rows.columns());
     blend({binding}, rows, 0, binding.vertices, sums);
     const Stitching stitching = stitch(s.model, *s.cage, pool);
@@ -196,17 +196,17 @@ TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangl
   model.triangles.push_back({7, 8, stray + 6});  // a needle
   model = mesh::from_triangles(model.positions, model.triangles);
   const StitchScene s(model);
-  for (const Scheme& scheme : all_stitched(2)) {
-    CAPTURE(text(scheme));
-    CHECK(s.error(similarity({1, -2, 3}, 80 * degree, 2, {3, 4, 5}), scheme) < 1e-9);
-    const auto posed = s.deform(s.pose(pipe_twist), scheme);
+  for (const Deformer& deformer : all_stitched(2)) {
+    CAPTURE(text(deformer));
+    CHECK(s.error(similarity({1, -2, 3}, 80 * degree, 2, {3, 4, 5}), deformer) < 1e-9);
+    const auto posed = s.deform(s.pose(pipe_twist), deformer);
     CHECK(all_finite(posed));
     CHECK(largest_distance(posed, mapped(s.model.positions, pipe_twist)) < 1.5);
   }
   // Holds are needed in the inner part, and at vertices without a triangle that has enough area.
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool);
-  Scheme blended = stitched();
+  Deformer blended = stitched();
   blended.iterations = 0;
   const auto by_blend = s.deform(s.pose(pipe_twist), blended), by_stitching = s.deform(s.pose(pipe_twist));
   CHECK(norm(by_blend[stray] - by_stitching[stray]) < 1e-14);
@@ -236,10 +236,10 @@ TEST_CASE("mirrored_and_collapsed_poses_give_finite_stitched_models") {
   const auto line = [](const Vec3& x) { return Vec3{x[0], 0, 0}; };
   const auto point = [](const Vec3&) { return Vec3{1, 2, 3}; };
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
-  for (const Scheme& scheme : all_stitched(3)) {
-    CAPTURE(text(scheme));
+  for (const Deformer& deformer : all_stitched(3)) {
+    CAPTURE(text(deformer));
     for (const Pose& pose : {s.pose(flat), s.pose(line), s.pose(point), s.pose(mirror)})
-      CHECK(all_finite(s.deform(pose, scheme)));
+      CHECK(all_finite(s.deform(pose, deformer)));
   }
 }
 
@@ -284,7 +284,7 @@ TEST_CASE("a_soup_of_triangles_and_layers_are_stitched_as_one_and_come_apart_whe
   const StitchScene one(whole), of_soup(soup), of_layers(layers);
   const Pose pose = one.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, 0, 60 * degree});
   for (const int iterations : {1, 3}) {
-    const Scheme together = stitched(Blend::srl, iterations);
+    const Deformer together = stitched(Blend::srl, iterations);
     const auto torn = [&](const std::vector<mesh::Point>& posed) {
       double most = 0;
       for (std::uint32_t v = 0; v < n; ++v)

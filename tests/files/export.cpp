@@ -58,7 +58,7 @@ TEST_CASE("at_rest_a_stitched_model_is_exported_to_the_last_bit_too") {
   all.model = std::make_shared<const mesh::Surface>(third);
   all.original.reset();
   all.attributes.reset();
-  all.scheme.iterations = 3;
+  all.deformer.iterations = 3;
   write_deformed(all);
   CHECK(formats::read(files / "same.ply").surface.positions == third.positions);
 }
@@ -70,7 +70,7 @@ TEST_CASE("an_export_is_a_snapshot_at_the_request") {
   write_deformed(export_of(document, files / "at_once.ply"));
   document.changed_pose().positions[0][0] -= 3;
   document.put_method(sym3::Method::diag);
-  document.put_scheme(pose::scheme_of(pose::Way::mean_value));
+  document.put_deformer(pose::deformer_of(pose::Preset::mean_value));
   write_deformed(before);
   CHECK(test::file_bytes(files / "before.ply") == test::file_bytes(files / "at_once.ply"));
 }

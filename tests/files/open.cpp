@@ -211,7 +211,7 @@ TEST_CASE(
 
   Workspace as_saved = test::opened({files / "a.viete"});
   CHECK(as_saved.document.method() == sym3::Method::sd);
-  CHECK(as_saved.document.scheme().weighting.radius == 0.3);
+  CHECK(as_saved.document.deformer().weighting.radius == 0.3);
   CHECK_FALSE(has_unsaved_edits(as_saved));
 
   RequestedSettings asked;
@@ -224,15 +224,15 @@ TEST_CASE(
   asked.choice.blend = pose::Blend::linear;
   Workspace other_blend;
   REQUIRE(test::open_now(other_blend, {What::model, {files / "a.viete"}, asked}));
-  CHECK(other_blend.document.scheme().blend == pose::Blend::linear);
-  CHECK(other_blend.document.scheme().weighting.radius == 0.3);
+  CHECK(other_blend.document.deformer().blend == pose::Blend::linear);
+  CHECK(other_blend.document.deformer().weighting.radius == 0.3);
   CHECK(has_unsaved_edits(other_blend));
 
   asked = {};
   asked.arap = true, asked.iterations = 2;
   Workspace stitched;
   REQUIRE(test::open_now(stitched, {What::model, {files / "a.viete"}, asked}));
-  CHECK(stitched.document.scheme().iterations == 2);
+  CHECK(stitched.document.deformer().iterations == 2);
   CHECK(has_unsaved_edits(stitched));
   asked.choice.weights = pose::Weights::mean_value;
   Workspace refused;
@@ -243,47 +243,47 @@ TEST_CASE(
 TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
   Document document;
   put_settings(document, {{.rotation = 0.5, .stretch = 2}});
-  CHECK(document.scheme().amounts == pose::Amounts{0.5, 2});
+  CHECK(document.deformer().amounts == pose::Amounts{0.5, 2});
   put_settings(document, {{.stretch = 0}});
-  CHECK(document.scheme().amounts == pose::Amounts{0.5, 0});
+  CHECK(document.deformer().amounts == pose::Amounts{0.5, 0});
   try {
     put_settings(document, {{.choice = {.weights = pose::Weights::mean_value}, .rotation = 1}});
     FAIL("points took a rotation");
   } catch (const base::Error& error) {
     CHECK(error.place() == "rotation");
   }
-  CHECK(document.scheme().amounts == pose::Amounts{0.5, 0});
+  CHECK(document.deformer().amounts == pose::Amounts{0.5, 0});
 }
 
 TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_for") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   w.document.put_method(sym3::Method::sd);
-  set_scheme(w.document, pose::scheme_of(pose::Way::local));
+  set_deformer(w.document, pose::deformer_of(pose::Preset::local));
   set_radius(w.document, 0.3);
   REQUIRE(test::open_now(w, {What::model, {files.model, files.cage}}));
   CHECK(w.document.method() == sym3::Method::sd);
-  CHECK(w.document.scheme().weighting.radius == 0.3);
+  CHECK(w.document.deformer().weighting.radius == 0.3);
   RequestedSettings asked;
   asked.radius = 0.4;
   REQUIRE(test::open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK(w.document.method() == sym3::Method::sd);
-  CHECK(w.document.scheme().weighting.radius == 0.4);
+  CHECK(w.document.deformer().weighting.radius == 0.4);
   CHECK_FALSE(has_unsaved_edits(w));
 }
 
 TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_have_them") {
   const test::CubeFiles files;
   const auto opened = [&](const RequestedSettings& asked, const fs::path& model) {
-    return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme();
+    return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->deformer();
   };
-  CHECK(opened({}, files.model) == pose::default_scheme());
+  CHECK(opened({}, files.model) == pose::default_deformer());
   CHECK(text(opened({{.radius = 0.2}}, files.model)) == "cutoff, srl");
   CHECK_THROWS_AS(opened({{.choice = {.weights = pose::Weights::mean_value}, .radius = 0.3}}, files.model),
                   base::Error);
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
-  CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme()) ==
+  CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->deformer()) ==
         "inverse, srl");  // the default if the session has no weights
   test::put_file(
       files / "b.viete",

@@ -65,7 +65,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
 TEST_CASE("weights_and_radius_are_edits_that_a_session_keeps_and_a_pose_does_not_and_the_method_is_none") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.put_scheme(pose::scheme_of(pose::Way::local));
+  w.document.put_deformer(pose::deformer_of(pose::Preset::local));
   mark_saved(w);
   w.document.put_method(sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(w));

@@ -42,11 +42,11 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.changed_selection() = Selection(ElementKind::vertex, std::vector<std::uint32_t>{2, 5});
   w.document.changed_groups() = {{0, 7}, {{"left \"arm\"\n", ElementKind::face, {0, 1, 2}}}};
   w.document.put_method(sym3::Method::sd);
-  pose::Scheme scheme = pose::scheme_of(pose::Way::mean_value);
-  scheme.weighting.radius = 0.27;
-  scheme.amounts = {0.29, 1.75};
-  scheme.holding = {0.29, 0.07};
-  w.document.put_scheme(scheme);
+  pose::Deformer deformer = pose::deformer_of(pose::Preset::mean_value);
+  deformer.weighting.radius = 0.27;
+  deformer.amounts = {0.29, 1.75};
+  deformer.holding = {0.29, 0.07};
+  w.document.put_deformer(deformer);
   set_mask(w.document, inverted(w.document), "invert");
   w.view.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f, true, UpAxis::z});
   w.view.options = {.dark = false,
@@ -67,9 +67,10 @@ Workspace worked(const test::CubeFiles& files) {
                      MirrorPlane::y,
                      {true, 0.29, SoftCurve::linear, SoftDistance::space},
                      0.25};
-  put_ways(w.view.split, {{{pose::scheme_of(pose::Way::rigid), sym3::Method::sd, analysis::Field::area, true},
-                           {pose::scheme_of(pose::Way::arap)}},
-                          {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
+  put_side_views(w.view.split,
+                 {{{pose::deformer_of(pose::Preset::rigid), sym3::Method::sd, analysis::Field::area, true},
+                   {pose::deformer_of(pose::Preset::arap)}},
+                  {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
   return w;
 }
 
@@ -110,13 +111,13 @@ void check_same(const Workspace& a, const Workspace& b) {
   CHECK(a.document.selection() == b.document.selection());
   CHECK(a.document.groups() == b.document.groups());
   CHECK(a.document.method() == b.document.method());
-  CHECK(a.document.scheme() == b.document.scheme());
+  CHECK(a.document.deformer() == b.document.deformer());
   CHECK(a.document.probes() == b.document.probes());
   CHECK(same_mask(a.document.mask(), b.document.mask()));
   CHECK(a.view.camera.pose() == b.view.camera.pose());
   CHECK(a.view.options == b.view.options);
   CHECK(a.view.handling == b.view.handling);
-  CHECK(ways_of(a) == ways_of(b));
+  CHECK(side_views(a) == side_views(b));
   for (std::size_t view = 0; view < a.view.split.count(); ++view)
     CHECK(camera_of(a, view) == camera_of(b, view));
   CHECK(a.document.model().surface->positions == b.document.model().surface->positions);
@@ -394,33 +395,33 @@ TEST_CASE("all_typed_values_and_views_survive_saving") {
   }
 }
 
-TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
+TEST_CASE("every_deformer_is_kept_and_a_session_may_name_any_part_of_one") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  const auto check_kept = [&](const pose::Scheme& scheme) {
-    CAPTURE(text(scheme));
-    w.document.put_scheme(scheme);
+  const auto check_kept = [&](const pose::Deformer& deformer) {
+    CAPTURE(text(deformer));
+    w.document.put_deformer(deformer);
     test::put_file(files / "a.viete", session_text(session_of(w), files / "a.viete"));
-    CHECK(read_session(files / "a.viete").scheme == scheme);
+    CHECK(read_session(files / "a.viete").deformer == deformer);
   };
-  for (pose::Scheme scheme : pose::valid_schemes()) {
-    scheme.weighting.radius = 0.29;  // the radius is kept even if the weights do not use it
-    check_kept(scheme);
+  for (pose::Deformer deformer : pose::valid_deformers()) {
+    deformer.weighting.radius = 0.29;  // the radius is kept even if the weights do not use it
+    check_kept(deformer);
   }
   CHECK(read_json(files / "a.viete")["radius"] == 29);
-  pose::Scheme stitched = pose::default_scheme();
+  pose::Deformer stitched = pose::default_deformer();
   for (const int iterations : {0, 1, pose::most_iterations}) {
     stitched.iterations = iterations, stitched.holding = {0.29, 0.07};
     check_kept(stitched);
   }
-  const auto scheme = [&](const std::string& keys) {
+  const auto deformer = [&](const std::string& keys) {
     test::put_file(files / "a.viete", with(keys));
-    return text(read_session(files / "a.viete").scheme);
+    return text(read_session(files / "a.viete").deformer);
   };
-  CHECK(scheme(R"("radius": 30)") == "inverse, srl");
-  CHECK(scheme(R"("weights": "mean-value")") == "mean-value, linear");
-  CHECK(scheme(R"("blend": "linear")") == "inverse, linear");
-  CHECK(scheme(R"("blend": "mls-rigid", "weights": "biharmonic")") == "biharmonic, mls-rigid");
+  CHECK(deformer(R"("radius": 30)") == "inverse, srl");
+  CHECK(deformer(R"("weights": "mean-value")") == "mean-value, linear");
+  CHECK(deformer(R"("blend": "linear")") == "inverse, linear");
+  CHECK(deformer(R"("blend": "mls-rigid", "weights": "biharmonic")") == "biharmonic, mls-rigid");
 }
 
 TEST_CASE("another_format_and_another_version_are_refused_with_advice") {

@@ -81,18 +81,19 @@ TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undon
 }
 
 TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken_back") {
-  const std::vector<std::vector<double>> ways{{360},      {90, 270}, {120, 120, 120}, {180, 180},
-                                              {200, 160}, {-360},    {1080},          {400, -40}};
+  const std::vector<std::vector<double>> displacements{{360},      {90, 270}, {120, 120, 120}, {180, 180},
+                                                       {200, 160}, {-360},    {1080},          {400, -40}};
   for (const glm::dvec3& axis :
        {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::normalize(glm::dvec3(1, -2, 3))}) {
-    for (const auto& way : ways) {
+    for (const auto& way : displacements) {
       CAPTURE(way.front());
       Document document = selected_cube();
       for (auto& p : document.changed_pose().positions) p[0] += 0.4 * p[1] - 0.3 * p[2], p[1] += 0.5 * p[2];
       document.changed_pose().positions[3][2] += 0.7;
       const auto posed = document.pose().positions;
       const auto shown = [&] {  // updates the turns, as drawing does
-        pose::CageState state(document.cage(), document.scheme().weighting.elements, document.scheme().blend);
+        pose::CageState state(document.cage(), document.deformer().weighting.elements,
+                              document.deformer().blend);
         state.set_pose(document.pose());
         document.changed_pose().turns = state.report().turns;
         return document.pose().turns[0];
@@ -125,7 +126,7 @@ TEST_CASE("a_posed_cage_that_has_turned_keeps_its_turn_while_it_is_posed_on") {
   for (int i = 0; i < 40; ++i) {
     document.changed_pose().positions[6][0] += 0.02;
     document.changed_pose().positions[1][2] -= 0.02;
-    pose::CageState state(document.cage(), document.scheme().weighting.elements, document.scheme().blend);
+    pose::CageState state(document.cage(), document.deformer().weighting.elements, document.deformer().blend);
     state.set_pose(document.pose());
     document.changed_pose().turns = state.report().turns;
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formats/write.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "program/command_line.h"
 #include "support/shapes.h"
 
@@ -60,10 +60,11 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
     CHECK_MESSAGE((names_processor || line.size() <= 130), line);
   }
   const auto results = nlohmann::json::parse(file_bytes(json))["results"];
-  for (const pose::Scheme& scheme : pose::valid_schemes()) CHECK(mentions(outcome, pose::text(scheme)));
-  CHECK(results.size() == pose::valid_schemes().size() + 1);  // one more for Way::arap
+  for (const pose::Deformer& deformer : pose::valid_deformers())
+    CHECK(mentions(outcome, pose::text(deformer)));
+  CHECK(results.size() == pose::valid_deformers().size() + 1);  // one more for Preset::arap
   for (const std::size_t i : {0, 1, 2, 3, 4, 5})
-    CHECK(results[i].value("way", "") == choices(pose::Way{})[i].word);
+    CHECK(results[i].value("deformer", "") == choices(pose::Preset{})[i].word);
   for (const auto& mode : results) {
     REQUIRE(mode["poses"].size() == 2);
     CHECK(double(mode["deviations"]["translation"]) < 1e-9);
@@ -75,9 +76,9 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
 
   const auto stitched = run("bench modes --rounds 1 --arap --iterations 2 " + files);
   REQUIRE_MESSAGE(stitched.code == 0, stitched.text);
-  for (pose::Scheme scheme : pose::valid_schemes()) {
-    scheme.iterations = scheme.has_maps() ? 2 : 0;
-    CHECK(mentions(stitched, pose::text(scheme)));
+  for (pose::Deformer deformer : pose::valid_deformers()) {
+    deformer.iterations = deformer.has_maps() ? 2 : 0;
+    CHECK(mentions(stitched, pose::text(deformer)));
   }
 }
 
@@ -88,7 +89,8 @@ TEST_CASE("missing_or_unfit_inputs_are_reported_before_modes_are_compared") {
   f.refused("bench modes " + in_cage + " none.obj", 1, "none.obj");
   f.refused("bench modes " + in_cage + " " + quoted(dragon), 1,
             "dragon.ply");  // the model has more vertices than the cage
-  f.refused("bench modes " + in_cage + " " + quoted(alert_pose) + " --json " + quoted(alert_pose), 1, "is an input file");
+  f.refused("bench modes " + in_cage + " " + quoted(alert_pose) + " --json " + quoted(alert_pose), 1,
+            "is an input file");
 }
 
 TEST_CASE("a_program_without_benchmarks_explains_how_to_install_them") {

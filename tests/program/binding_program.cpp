@@ -66,7 +66,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   CHECK(moved != before);
   d.press_key(workspace::Key::escape);
   CHECK_FALSE(d.workspace().jobs.binding.running);
-  CHECK(d.document().scheme().weighting.weights == pose::Weights::inverse);
+  CHECK(d.document().deformer().weighting.weights == pose::Weights::inverse);
   CHECK(d.positions() == moved);
   test::run_command(d.workspace(), "weights_mean_value");
   d.settle();

@@ -41,7 +41,7 @@ public:
                   std::optional<WithPixels> pixels = pictures_wanted())
       : offscreen_(options,
                    pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
-    document().put_scheme({});  // the deformer "As published"
+    document().put_deformer({});  // the deformer "As published"
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
       workspace().preferences.layout.sections[title] = true;
   }
@@ -220,7 +220,7 @@ public:
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
     const files::Export e = files::export_of(document(), {});
-    return deform::deform_exactly(*e.model, e.cage, e.scheme, e.pose, e.method, pool, nullptr, e.mask,
+    return deform::deform_exactly(*e.model, e.cage, e.deformer, e.pose, e.method, pool, nullptr, e.mask,
                                   e.probes, e.shape)
         .positions;
   }

@@ -5,7 +5,7 @@
 
 #include "document/pose_edit.h"
 #include "interact/shaping.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 #include "program/driver.h"
 #include "support/edits.h"
 #include "support/folder.h"
@@ -113,7 +113,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
   CHECK_FALSE(advises());  // the cage is at rest
   d.document().changed_pose().positions[0][0] += 1;
   CHECK(advises());
-  d.document().put_scheme(pose::scheme_of(pose::Way::mean_value));
+  d.document().put_deformer(pose::deformer_of(pose::Preset::mean_value));
   CHECK_FALSE(advises());
 }
 

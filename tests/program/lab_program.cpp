@@ -6,8 +6,8 @@
 #include "document/pose_edit.h"
 #include "document/probes.h"
 #include "formats/write.h"
+#include "pose/deformer.h"
 #include "pose/pose_io.h"
-#include "pose/scheme.h"
 #include "program/small_scene.h"
 #include "support/folder.h"
 #include "support/pictures.h"
@@ -42,7 +42,7 @@ double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mes
 double error_of_side(Driver& d, std::size_t side) {
   const auto& view = d.workspace().view.split.sides()[side];
   base::WorkerPool pool;
-  const auto exact = deform::deform_exactly(*d.document().model().surface, d.document().cage(), view.scheme,
+  const auto exact = deform::deform_exactly(*d.document().model().surface, d.document().cage(), view.deformer,
                                             d.document().pose(), view.method, pool)
                          .positions;
   workspace::enter_view(d.workspace(), side + 1);
@@ -133,7 +133,7 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
 TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   Driver d;
   d.open_dragon("pose_alert");
-  d.document().put_scheme(pose::scheme_of(pose::Way::smooth));
+  d.document().put_deformer(pose::deformer_of(pose::Preset::smooth));
   d.settle();
   d.click("section/Views");
   d.click("views_4");
@@ -143,7 +143,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   std::set<std::string_view> ways;
   for (const auto& side : split.sides()) {
     CHECK(side.problem.empty());
-    const auto way = pose::way_of(side.scheme);
+    const auto way = pose::preset_of(side.deformer);
     REQUIRE(way);
     ways.insert(base::entry_of(*way).word);
   }
@@ -152,7 +152,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.choose("side/2/way", "side/2/way_paper");
   d.choose("side/2/method", "side/2/method_SD");
   d.settle();
-  CHECK(pose::way_of(split.sides()[0].scheme) == pose::Way::rigid);
+  CHECK(pose::preset_of(split.sides()[0].deformer) == pose::Preset::rigid);
   CHECK(split.sides()[1].method == sym3::Method::sd);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
   workspace::enter_view(d.workspace(), 0);
@@ -244,11 +244,11 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   const auto& last = view.terms.back().eigenvalues;
   const double volume = glm::determinant(view.map);
   CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
-  REQUIRE(view.ways.size() == 4);
-  for (const auto& way : view.ways) CHECK(way.error < 1e-12);
-  CHECK(view.ways[3].error ==
+  REQUIRE(view.evaluations.size() == 4);
+  for (const auto& way : view.evaluations) CHECK(way.error < 1e-12);
+  CHECK(view.evaluations[3].error ==
         doctest::Approx(std::pow(10, d.workspace().view.split.views[0].shown.stats.most)).epsilon(0.2));
-  CHECK(view.ways[3].route.starts_with("degree 21"));
+  CHECK(view.evaluations[3].route.starts_with("degree 21"));
   const auto before = d.picture();
   d.click("drop_vertex");
   d.settle();
@@ -286,7 +286,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.settle();
   workspace::split_view(d.workspace(), 2);
   auto& side = d.workspace().view.split.sides()[0];
-  side.scheme = d.document().scheme();
+  side.deformer = d.document().deformer();
   side.other_blending = true;
   d.settle();
   const auto first = d.viewer().deformer()->positions();

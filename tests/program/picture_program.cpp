@@ -226,7 +226,7 @@ void put_numbers(Driver& d) {
   w.frame.methods = {
       .samples = {{{120, 3e-15, 2e-16}, {40, 2e-9, 4e-14}, {30, 6e-14, 7e-16}, {6, 8e-16, 1e-16}}},
       .matrices = 2048};
-  w.frame.method_times = {.links = {{{{0.01, 0.02, 20, 19.4, 1.2, 0, 0, 0, 0, 0, 0.1}},
+  w.frame.method_times = {.stages = {{{{0.01, 0.02, 20, 19.4, 1.2, 0, 0, 0, 0, 0, 0.1}},
                                      {{0.01, 0.02, 20, 18.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
                                      {{0.01, 0.02, 20, 5.6, 1.2, 0, 0, 0, 0, 0, 0.1}},
                                      {{0.01, 0.02, 20, 3.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
@@ -234,7 +234,7 @@ void put_numbers(Driver& d) {
                           .fused_error = 4e-6,
                           .measured = true};
   w.view.split.views[0].stats.clear();
-  w.view.split.views[0].stats.add({.links = {{0.01, 0.02, 0.03, 0.04, 0.05, 0.2, 0.1}},
+  w.view.split.views[0].stats.add({.stages = {{0.01, 0.02, 0.03, 0.04, 0.05, 0.2, 0.1}},
                                    .upload = 0.3,
                                    .draw = 2,
                                    .panels = 0.4,

@@ -52,8 +52,8 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
   document::set_radius(d.document(), 0.3);
   d.frame(3);  // the scene is empty
   d.open_dragon();
-  CHECK(d.document().scheme().weighting.weights == pose::Weights::mean_value);
-  CHECK(d.document().scheme().weighting.radius == 0.3);
+  CHECK(d.document().deformer().weighting.weights == pose::Weights::mean_value);
+  CHECK(d.document().deformer().weighting.radius == 0.3);
   CHECK(d.viewer().deformer()->state().rows().form == pose::RowForm::positions);
 }
 
@@ -138,23 +138,23 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   test::SmallScene small(Driver::default_options());
   Driver& d = small.d;
   const auto shows = [&](const char* widget) { return d.viewer().recorder().find(widget).has_value(); };
-  const auto& scheme = d.document().scheme();
-  for (const auto way : base::all_values<pose::Way>()) {
+  const auto& deformer = d.document().deformer();
+  for (const auto way : base::all_values<pose::Preset>()) {
     CAPTURE(base::entry_of(way).word);
-    d.choose("way", workspace::choice_command_name(way));
+    d.choose("deformer", workspace::choice_command_name(way));
     d.settle();
-    CHECK(scheme == pose::scheme_of(way));
-    CHECK(d.viewer().deformer()->scheme() == scheme);
-    CHECK(shows("radius") == (way == pose::Way::local));
+    CHECK(deformer == pose::deformer_of(way));
+    CHECK(d.viewer().deformer()->deformer() == deformer);
+    CHECK(shows("radius") == (way == pose::Preset::local));
     CHECK_FALSE(shows("weights"));
   }
-  CHECK(test::edit_count(d.document().history()) == choices(pose::Way{}).size());
+  CHECK(test::edit_count(d.document().history()) == choices(pose::Preset{}).size());
   d.click("section/Custom deformer");
   d.frame(2);
   d.choose("blend", "blend_linear");
   d.settle();
-  CHECK_FALSE(pose::way_of(scheme));
-  CHECK(scheme.weighting.weights == pose::Weights::cut_off);  // as in the deformer Local
+  CHECK_FALSE(pose::preset_of(deformer));
+  CHECK(deformer.weighting.weights == pose::Weights::cut_off);  // as in the deformer Local
 }
 
 TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
@@ -177,7 +177,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   d.settle();
   d.click("radius");  // a click in the center sets the middle value
   d.settle();
-  const pose::Weighting& weighting = d.document().scheme().weighting;
+  const pose::Weighting& weighting = d.document().deformer().weighting;
   CHECK(weighting.radius > 0.05);
   CHECK(weighting.radius < 0.25);
   d.choose("weights", "weights_biharmonic");
@@ -215,9 +215,9 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
   const auto& stats = d.workspace().frame.methods;
   for (const auto& sample : stats.samples) CHECK(sample.ns_per_matrix > 0);
   CHECK(stats.samples[3].worst_error < 1e-14);
-  for (const auto way : base::all_values<pose::Way>()) {
+  for (const auto way : base::all_values<pose::Preset>()) {
     CAPTURE(base::entry_of(way).word);
-    document::set_scheme(d.document(), pose::scheme_of(way));
+    document::set_deformer(d.document(), pose::deformer_of(way));
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);

@@ -16,7 +16,7 @@ namespace {
 
 // Returns all data that sliders can change.
 auto state(const workspace::Workspace& w) {
-  return std::tuple(w.document.scheme(), w.document.library(), w.document.timeline(),
+  return std::tuple(w.document.deformer(), w.document.library(), w.document.timeline(),
                     w.document.pose().positions, w.document.pose().turns, w.document.probes(),
                     w.view.handling, w.preferences.layout, w.view.brush.radius, w.view.brush.share,
                     w.document.history().undo_label(), w.document.history().can_redo());
@@ -119,7 +119,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     CHECK(d.document().method() == method);
     CHECK(d.workspace().panels.typed_slider.name.empty());
   };
-  auto& scheme = d.document().scheme();
+  auto& deformer = d.document().deformer();
   const auto pose_weight = [&] { return d.document().library().poses[0].weight; };
   auto& w = d.workspace();
   const double diagonal = d.document().space().diagonal();
@@ -130,14 +130,14 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     double expected;
     bool twice = true;
   } cases[] = {
-      {"", "rotation", "33", [&] { return scheme.amounts.rotation; }, 0.33},
-      {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, pose::number("stretch").largest},
+      {"", "rotation", "33", [&] { return deformer.amounts.rotation; }, 0.33},
+      {"", "stretch", "1000", [&] { return deformer.amounts.stretch; }, pose::number("stretch").largest},
       {"", "pose_weight/0", "12.5", pose_weight, 0.125},
       {"", "pose_weight/0", "999", pose_weight, document::PoseLibrary::largest_weight, false},
       {"", "soft_radius", "0.5", [&] { return w.view.handling.soft.radius; }, 0.5 / diagonal},
-      {"toggle_arap", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
-      {"", "attach", "4", [&] { return scheme.holding.radius; }, 0.04},
-      {"", "hold", "500", [&] { return scheme.holding.weight; }, 1},
+      {"toggle_arap", "iterations", "7", [&] { return double(deformer.iterations); }, 7},
+      {"", "attach", "4", [&] { return deformer.holding.radius; }, 0.04},
+      {"", "hold", "500", [&] { return deformer.holding.weight; }, 1},
       {"tool_paint", "brush_radius", "77", [&] { return double(w.view.brush.radius); }, 77},
       {"", "brush_share", "35", [&] { return double(w.view.brush.share); }, 0.35, false}};
   for (const auto& c : cases) {
@@ -160,7 +160,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   CHECK(d.workspace().panels.typed_slider.name.empty());
   d.frame(30);
   d.click("rotation");
-  CHECK(scheme.amounts.rotation == doctest::Approx(1));
+  CHECK(deformer.amounts.rotation == doctest::Approx(1));
 }
 
 TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
@@ -208,7 +208,7 @@ TEST_CASE("esc_closes_popups_without_a_change") {
       true;  // below the probes, so that the column must scroll
   d.run("add_probe");
   for (const char* chooser :
-       {"way", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance", "probe_mix",
+       {"deformer", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance", "probe_mix",
         "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
     const bool in_bar = std::string_view(chooser).starts_with("menu/");  // the menu bar does not scroll
     const auto rect = d.viewer().recorder().find(chooser);
@@ -312,7 +312,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
     std::vector<std::string> always{"method_diag", "method_sd", "method_improved_sd", "method_fast"};
     if (scale == 1)
       always.insert(always.end(),
-                    {"timings/Diag", "timings/Fast", "timings/fused", "errors", "way", "rotation"});
+                    {"timings/Diag", "timings/Fast", "timings/fused", "errors", "deformer", "rotation"});
     for (const std::string& widget : always) {
       CAPTURE(widget);
       REQUIRE(recorder.find(widget));
@@ -336,10 +336,10 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   REQUIRE(d.until([&] { return times.measured; }));
   constexpr std::size_t fused = workspace::MethodTimes::fused;
   for (std::size_t method = 0; method < fused; ++method) {
-    CHECK(times.links[method][pose::Link::exp] > 0);
-    CHECK(times.links[method][pose::Link::fused] == 0);
+    CHECK(times.stages[method][pose::Stage::exp] > 0);
+    CHECK(times.stages[method][pose::Stage::fused] == 0);
   }
-  CHECK(times.links[fused][pose::Link::fused] > 0);
+  CHECK(times.stages[fused][pose::Stage::fused] > 0);
   CHECK(times.fused_error > 0);
   CHECK(times.fused_error < 1e-4);
   CHECK(d.viewer().recorder().find("timings/fused"));

@@ -34,7 +34,7 @@ void cut_panels(render::Image& image) {
 // The offscreen program, which opens and draws the dragon as the window does.
 struct Offscreen : Driver {
   Offscreen() : Driver(options(), test::with_pixels) {
-    workspace().document.put_scheme(pose::default_scheme());
+    workspace().document.put_deformer(pose::default_deformer());
     open_dragon("", test::bundled_dragon);
     frame();
     workspace::frame_all(workspace(), false);

@@ -85,10 +85,10 @@ TEST_CASE("circles_are_found") {
 }
 
 TEST_CASE("names_of_other_rooms_are_found_in_code_and_not_in_comments_and_strings") {
-  CHECK(foreign_names("ui", "deform::Link l; viete::render::View v;") ==
-        std::vector<std::string>{"deform::Link", "render::View"});
+  CHECK(foreign_names("ui", "pose::Stage l; viete::render::View v;") ==
+        std::vector<std::string>{"pose::Stage", "render::View"});
   CHECK(
-      foreign_names("ui", "// deform::Link\n/* mesh::x */ f(\"sym3::exp\"); interact::Tool t; std::string s;")
+      foreign_names("ui", "// pose::Stage\n/* mesh::x */ f(\"sym3::exp\"); interact::Tool t; std::string s;")
           .empty());
   CHECK(foreign_names("ui", "document::deform::x; ui::mesh::y;").empty());
   CHECK(foreign_names("render", "base::Error e;").empty());
@@ -115,8 +115,8 @@ TEST_CASE("planted_violations_are_found") {
   CHECK(violation("document", false, "workspace/workspace.h"));
   CHECK(violation("mesh", false, "formats/read.h"));
   CHECK(violation("sparse", false, "pose/cage.h"));
-  CHECK(violation("pose", false, "deform/deformer.h"));
-  CHECK(violation("document", false, "deform/deformer.h"));
+  CHECK(violation("pose", false, "deform/frame_deformer.h"));
+  CHECK(violation("document", false, "deform/frame_deformer.h"));
   CHECK(violation("interact", false, "weights/binding.h"));
   CHECK(violation("deform", true, "Eigen/Dense"));
   CHECK(violation("ui", false, "backends/imgui_impl_glfw.h"));

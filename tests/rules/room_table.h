@@ -153,7 +153,7 @@ inline std::string code_of(const std::string& text) {
   return std::regex_replace(text, other, " ");
 }
 
-/// Returns names of other rooms that a file of `room` must not use, such as "pose::Link" in ui.
+/// Returns names of other rooms that a file of `room` must not use, such as "pose::Stage" in ui.
 inline std::vector<std::string> foreign_names(const std::string& room, const std::string& text) {
   static const std::regex qualified(R"((^|[^\w:])(?:viete::)?(\w+)::(\w+))");
   const std::string code = code_of(text);

@@ -103,27 +103,27 @@ TEST_CASE("methods_switch_without_touching_history_pose_or_weights") {
 
 TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   Workspace w = test::cube_workspace();
-  w.document.put_scheme({});
+  w.document.put_deformer({});
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "blend_linear"));
-  CHECK(w.document.scheme().blend == pose::Blend::linear);
+  CHECK(w.document.deformer().blend == pose::Blend::linear);
   CHECK(w.document.revisions().weights == before.weights);
   CHECK(w.document.revisions().method > before.method);
   CHECK_FALSE(test::run_command(w, "method_sd"));
   CHECK(test::run_command(w, "weights_mean_value"));
-  CHECK(w.document.scheme().weighting.weights == pose::Weights::mean_value);
+  CHECK(w.document.deformer().weighting.weights == pose::Weights::mean_value);
   CHECK(w.document.revisions().weights > before.weights);
   CHECK(w.document.revisions().surfaces == before.surfaces);
   CHECK(test::edit_count(w.document.history()) == 2);
   CHECK(test::run_command(w, "weights_mean_value"));
   CHECK(test::edit_count(w.document.history()) == 2);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme().blend == pose::Blend::linear);
-  CHECK(w.document.scheme().weighting.weights == pose::Weights::inverse);
+  CHECK(w.document.deformer().blend == pose::Blend::linear);
+  CHECK(w.document.deformer().weighting.weights == pose::Weights::inverse);
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme() == pose::Scheme());
+  CHECK(w.document.deformer() == pose::Deformer());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme().blend == pose::Blend::linear);
+  CHECK(w.document.deformer().blend == pose::Blend::linear);
 }
 
 TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
@@ -135,41 +135,41 @@ TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
   set_amounts(w.document, {0.25, 2});
   CHECK(test::edit_count(w.document.history()) == 3);
   CHECK(test::run_command(w, "blend_linear"));
-  CHECK(w.document.scheme().amounts == pose::Amounts{0.25, 2});
+  CHECK(w.document.deformer().amounts == pose::Amounts{0.25, 2});
   for (int n = 0; n < 4; ++n) CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme().amounts.whole());
+  CHECK(w.document.deformer().amounts.whole());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme().amounts == pose::Amounts{0.25, 1});
+  CHECK(w.document.deformer().amounts == pose::Amounts{0.25, 1});
 }
 
 TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a_row_are_one") {
   Workspace w = test::cube_workspace();
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "toggle_arap"));
-  CHECK(w.document.scheme().iterations == 1);
+  CHECK(w.document.deformer().iterations == 1);
   CHECK(w.document.revisions().method > before.method);
   CHECK(w.document.revisions().weights == before.weights);
   for (const int iterations : {3, 4, 7}) set_iterations(w.document, iterations);
-  CHECK(w.document.scheme().iterations == 7);
+  CHECK(w.document.deformer().iterations == 7);
   CHECK(test::edit_count(w.document.history()) == 1);
   CHECK(test::run_command(w, "undo"));
-  CHECK_FALSE(w.document.scheme().stitched());
+  CHECK_FALSE(w.document.deformer().stitched());
   CHECK(test::run_command(w, "redo"));
-  CHECK(w.document.scheme().iterations == 7);
+  CHECK(w.document.deformer().iterations == 7);
   CHECK(test::run_command(w, "weights_harmonic"));  // stitching stays on
-  CHECK(w.document.scheme().iterations == 7);
+  CHECK(w.document.deformer().iterations == 7);
   CHECK(test::run_command(w, "weights_mean_value"));  // these weights do not support stitching
-  CHECK_FALSE(w.document.scheme().stitched());
+  CHECK_FALSE(w.document.deformer().stitched());
   CHECK_FALSE(test::run_command(w, "toggle_arap"));
   CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.scheme().iterations == 7);
+  CHECK(w.document.deformer().iterations == 7);
   // Consecutive changes of the constraints form one edit. While stitching is off, the constraints are kept.
   const auto edits = test::edit_count(w.document.history());
   for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
   CHECK(test::edit_count(w.document.history()) == edits + 1);
   CHECK(test::run_command(w, "toggle_arap"));
-  CHECK_FALSE(w.document.scheme().stitched());
-  CHECK(w.document.scheme().holding.radius == 0.1);
+  CHECK_FALSE(w.document.deformer().stitched());
+  CHECK(w.document.deformer().holding.radius == 0.1);
 }
 
 TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
@@ -177,15 +177,16 @@ TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   test::run_command(w, "reset_pose");
   const std::size_t edits = test::edit_count(w.document.history());
   test::run_command(w, "weights_mean_value");
-  revert_scheme(w.document, pose::Scheme());
-  CHECK(w.document.scheme() == pose::Scheme());
+  revert_deformer(w.document, pose::Deformer());
+  CHECK(w.document.deformer() == pose::Deformer());
   CHECK(test::edit_count(w.document.history()) == edits);
   w.document.changed_pose().positions[0][0] += 0.25;
   test::run_command(w, "weights_mean_value");
   test::run_command(w, "reset_pose");
-  revert_scheme(w.document, pose::Scheme());  // keeps both edits: the last edit did not change the scheme
+  revert_deformer(w.document,
+                  pose::Deformer());  // keeps both edits: the last edit did not change the deformer
   CHECK(test::edit_count(w.document.history()) == edits + 2);
-  CHECK(w.document.scheme() == pose::Scheme());
+  CHECK(w.document.deformer() == pose::Deformer());
 }
 
 TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {

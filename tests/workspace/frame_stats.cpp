@@ -3,14 +3,14 @@
 #include <doctest/doctest.h>
 
 using namespace viete::workspace;
-using viete::pose::Link;
+using viete::pose::Stage;
 
 namespace {
 
 FrameTimes frame(double when, double blend) {
   FrameTimes t;
   t.when = when;
-  t.links[Link::blend] = blend;
+  t.stages[Stage::blend] = blend;
   t.draw = 2;
   t.frame = blend + 3;
   return t;
@@ -29,7 +29,7 @@ TEST_CASE("the_median_is_over_the_last_half_second") {
   for (int i = 0; i < 10; ++i) stats.add(frame(0.01 * i, 100));
   for (int i = 0; i < 5; ++i) stats.add(frame(10 + 0.01 * i, i == 2 ? 50 : 4));
   REQUIRE(stats.median());
-  CHECK(stats.median()->links[Link::blend] == 4);
+  CHECK(stats.median()->stages[Stage::blend] == 4);
 }
 
 TEST_CASE("the_median_changes_at_most_four_times_a_second") {
@@ -50,19 +50,19 @@ TEST_CASE("frames_of_another_method_are_no_part_of_the_median") {
   auto other = frame(0.11, 2);
   other.method = viete::sym3::Method::diag;
   stats.add(other);
-  CHECK(stats.median()->links[Link::blend] == 2);
+  CHECK(stats.median()->stages[Stage::blend] == 2);
   CHECK(stats.median()->method == viete::sym3::Method::diag);
 }
 
 TEST_CASE("camera_motion_keeps_the_last_deformation_timings") {
   FrameStats stats;
   stats.add(frame(1, 4));
-  for (int i = 0; i < 3; ++i) stats.add({.when = 2 + 0.01 * i, .links = {}, .draw = 7, .frame = 8});
+  for (int i = 0; i < 3; ++i) stats.add({.when = 2 + 0.01 * i, .stages = {}, .draw = 7, .frame = 8});
   CHECK(stats.median()->frame == 8);
-  CHECK(stats.median()->links.total() == 0);
-  CHECK(stats.deforming_median()->links[Link::blend] == 4);
+  CHECK(stats.median()->stages.total() == 0);
+  CHECK(stats.deforming_median()->stages[Stage::blend] == 4);
   stats.add(frame(3, 6));
-  CHECK(stats.median()->links[Link::blend] == 6);
+  CHECK(stats.median()->stages[Stage::blend] == 6);
 }
 
 TEST_CASE("medians_say_that_the_computer_is_busy_if_threads_wait_for_the_processor") {

@@ -15,7 +15,7 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   set_radius(w.document, 0.5123456789);
   undo(w.document);
   REQUIRE(w.document.history().can_redo());
-  const pose::Scheme scheme = w.document.scheme();
+  const pose::Deformer deformer = w.document.deformer();
   const std::string label = w.document.history().undo_label();
   begin_widget_edit(w);
   for (const double radius : {0.4, 0.2}) set_radius(w.document, radius);
@@ -24,7 +24,7 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   w.making.wish.triangles = 444;
   w.preferences.layout.width[1] = 400;
   cancel_widget_edit(w);
-  CHECK(w.document.scheme() == scheme);
+  CHECK(w.document.deformer() == deformer);
   CHECK(w.document.history().undo_label() == label);
   CHECK(w.document.history().can_redo());
   const Workspace fresh;
@@ -41,7 +41,7 @@ TEST_CASE("cancelling_merged_steps_keeps_the_older_edit_and_leaves_another_docum
   begin_widget_edit(w);
   set_radius(w.document, 0.4);  // becomes part of the previous edit
   cancel_widget_edit(w);
-  CHECK(w.document.scheme().weighting.radius == 0.3);
+  CHECK(w.document.deformer().weighting.radius == 0.3);
   CHECK(w.document.history().can_undo());
   undo(w.document);
   CHECK_FALSE(w.document.history().can_undo());

@@ -1,4 +1,4 @@
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 
 #include <algorithm>
 #include <array>
@@ -50,31 +50,31 @@ Elements elements_of(Weights weights, Blend blend) {
   return weights == Weights::mean_value || fits_points(blend) ? Elements::point : Elements::face;
 }
 
-std::optional<std::string_view> conflict(const Scheme& scheme) {
-  if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
+std::optional<std::string_view> conflict(const Deformer& deformer) {
+  if (deformer.weighting.weights == Weights::mean_value && deformer.blend != Blend::linear)
     return "mean value weights need the linear blend";
-  if (scheme.stitched() && !scheme.has_maps())
+  if (deformer.stitched() && !deformer.has_maps())
     return "these weights or this blend use the cage's vertices, but ARAP needs its triangles";
   return std::nullopt;
 }
 
-bool fits(const PartialChoice& choice, const Scheme& s) {
+bool fits(const PartialChoice& choice, const Deformer& s) {
   return choice.weights.value_or(s.weighting.weights) == s.weighting.weights &&
          choice.blend.value_or(s.blend) == s.blend;
 }
 
-std::vector<Scheme> valid_schemes() {
-  std::vector<Scheme> all;
+std::vector<Deformer> valid_deformers() {
+  std::vector<Deformer> all;
   for (const Weights weights : base::all_values<Weights>()) {
     for (const Blend blend : base::all_values<Blend>()) {
-      const Scheme scheme{{elements_of(weights, blend), weights}, blend};
-      if (!conflict(scheme)) all.push_back(scheme);
+      const Deformer deformer{{elements_of(weights, blend), weights}, blend};
+      if (!conflict(deformer)) all.push_back(deformer);
     }
   }
   return all;
 }
 
-std::string text(const Scheme& s) {
+std::string text(const Deformer& s) {
   return std::string(base::entry_of(s.weighting.weights).word) + ", " +
          std::string(base::entry_of(s.blend).word) + (s.stitched() ? ", arap" : "");
 }
@@ -92,7 +92,7 @@ constexpr base::Choice ways_table[] = {
     {"local", "Local", "weights end at a radius: vertices beyond it stay at rest"},
 };
 
-constexpr Scheme way_schemes[] = {
+constexpr Deformer presets[] = {
     {.weighting = {Elements::face, Weights::biharmonic}},
     {},
     {.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear},
@@ -103,32 +103,32 @@ constexpr Scheme way_schemes[] = {
 
 }  // namespace
 
-std::span<const base::Choice> choices(Way) {
+std::span<const base::Choice> choices(Preset) {
   return ways_table;
 }
 
-Scheme scheme_of(Way way, const Scheme& now) {
-  Scheme s = way_schemes[static_cast<std::size_t>(way)];
+Deformer deformer_of(Preset preset, const Deformer& now) {
+  Deformer s = presets[static_cast<std::size_t>(preset)];
   s.amounts = now.amounts;
   return s;
 }
 
-std::optional<Way> way_of(const Scheme& s) {
-  for (const Way way : base::all_values<Way>()) {
-    const Scheme scheme = scheme_of(way);
-    if (s.weighting.weights == scheme.weighting.weights && s.blend == scheme.blend &&
-        s.stitched() == scheme.stitched())
-      return way;
+std::optional<Preset> preset_of(const Deformer& s) {
+  for (const Preset preset : base::all_values<Preset>()) {
+    const Deformer deformer = deformer_of(preset);
+    if (s.weighting.weights == deformer.weighting.weights && s.blend == deformer.blend &&
+        s.stitched() == deformer.stitched())
+      return preset;
   }
   return std::nullopt;
 }
 
-Scheme default_scheme(bool has_triangles) {
-  return scheme_of(has_triangles ? Way::smooth : Way::paper);
+Deformer default_deformer(bool has_triangles) {
+  return deformer_of(has_triangles ? Preset::smooth : Preset::paper);
 }
 
-Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
-  Scheme s = preferred;
+Deformer complete(const PartialChoice& choice, const Deformer& preferred) {
+  Deformer s = preferred;
   s.iterations = 0;
   s.weighting.weights = choice.weights.value_or(preferred.weighting.weights);
   s.blend = choice.blend.value_or(preferred.blend);
@@ -145,41 +145,41 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
 namespace {
 
 using Need = NumberEntry::Need;
-constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
+constexpr Need has_radius{[](const Deformer&s) { return s.weighting.partial(); },
                           "these weights have no radius", "omit it, or choose the weights cutoff"},
-    has_maps{[](const Scheme&s) { return s.has_maps(); },
+    has_maps{[](const Deformer&s) { return s.has_maps(); },
              "this deformer ignores the cage's rotation and stretch",
              "omit it, or choose another deformer or blend"},
-    is_stitched{[](const Scheme&s) { return s.stitched(); }, "this setting needs ARAP",
+    is_stitched{[](const Deformer&s) { return s.stitched(); }, "this setting needs ARAP",
                 "omit it, or choose the deformer arap"};
 
 constexpr std::array numbers_table = {
     NumberEntry{{"radius", "Radius", "Distance at which weights end, relative to the cage's size"},
-                [](Scheme& s) -> double& { return s.weighting.radius; },
-                &AskedScheme::radius,
+                [](Deformer& s) -> double& { return s.weighting.radius; },
+                &AskedDeformer::radius,
                 has_radius,
                 0.001,
                 10},
     NumberEntry{{"rotation", "Rotation", "Scale the blended rotation"},
-                [](Scheme& s) -> double& { return s.amounts.rotation; },
-                &AskedScheme::rotation,
+                [](Deformer& s) -> double& { return s.amounts.rotation; },
+                &AskedDeformer::rotation,
                 has_maps,
                 0,
                 2},
     NumberEntry{{"stretch", "Stretch", "Scale the blended stretch"},
-                [](Scheme& s) -> double& { return s.amounts.stretch; },
-                &AskedScheme::stretch,
+                [](Deformer& s) -> double& { return s.amounts.stretch; },
+                &AskedDeformer::stretch,
                 has_maps,
                 0,
                 2},
     NumberEntry{
         {"attach", "Attach", "ARAP: attach vertices within this distance of the cage, relative to its size"},
-        [](Scheme& s) -> double& { return s.holding.radius; },
-        &AskedScheme::attach,
+        [](Deformer& s) -> double& { return s.holding.radius; },
+        &AskedDeformer::attach,
         is_stitched},
     NumberEntry{{"hold", "Hold", "ARAP: pull each vertex towards the position that it has without ARAP"},
-                [](Scheme& s) -> double& { return s.holding.weight; },
-                &AskedScheme::hold,
+                [](Deformer& s) -> double& { return s.holding.weight; },
+                &AskedDeformer::hold,
                 is_stitched},
 };
 
@@ -196,8 +196,8 @@ const NumberEntry& number(std::string_view word) {
   return *std::ranges::find(numbers_table, word, &NumberEntry::word);
 }
 
-double NumberEntry::percent(Scheme scheme) const {
-  return std::round(1e8 * of(scheme)) / 1e6;
+double NumberEntry::percent(Deformer deformer) const {
+  return std::round(1e8 * of(deformer)) / 1e6;
 }
 std::string text_of_percent(double fraction) {
   char text[32];
@@ -205,28 +205,28 @@ std::string text_of_percent(double fraction) {
          " %";
 }
 
-Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
-  Scheme scheme = asked.way ? scheme_of(*asked.way, now) : now;
+Deformer deformer_of(const AskedDeformer& asked, const Deformer& now, bool chosen) {
+  Deformer deformer = asked.preset ? deformer_of(*asked.preset, now) : now;
   PartialChoice choice = asked.choice;
-  if (asked.radius && !chosen && !asked.way && !choice.weights) choice.weights = Weights::cut_off;
-  if (choice.any()) scheme = complete(choice, scheme);
-  if (asked.arap && !scheme.stitched()) scheme.iterations = 1;
-  if (asked.iterations && !scheme.stitched()) refuse("iterations", is_stitched);
-  scheme.iterations = asked.iterations.value_or(scheme.iterations);
+  if (asked.radius && !chosen && !asked.preset && !choice.weights) choice.weights = Weights::cut_off;
+  if (choice.any()) deformer = complete(choice, deformer);
+  if (asked.arap && !deformer.stitched()) deformer.iterations = 1;
+  if (asked.iterations && !deformer.stitched()) refuse("iterations", is_stitched);
+  deformer.iterations = asked.iterations.value_or(deformer.iterations);
   for (const NumberEntry& number : numbers_table) {
     const std::optional<double>& value = asked.*number.asked;
     if (!value) continue;
-    if (!number.need.met(scheme)) refuse(number.word, number.need);
-    number.of(scheme) = *value;
+    if (!number.need.met(deformer)) refuse(number.word, number.need);
+    number.of(deformer) = *value;
   }
-  if (const auto reason = conflict(scheme))
+  if (const auto reason = conflict(deformer))
     throw base::Error("arap", std::string(*reason), "omit it, or choose another deformer or blend");
-  return scheme;
+  return deformer;
 }
 
-EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool all_staged) {
-  if (scheme.stitched()) return EngineKind::stitched;
-  const bool fuses = !scheme.exponential() || (method == sym3::Method::fast && !all_staged);
+EngineKind engine_for(const Deformer& deformer, sym3::Method method, bool all_staged) {
+  if (deformer.stitched()) return EngineKind::stitched;
+  const bool fuses = !deformer.exponential() || (method == sym3::Method::fast && !all_staged);
   return fuses ? EngineKind::fused : EngineKind::staged;
 }
 

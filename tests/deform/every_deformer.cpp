@@ -23,19 +23,19 @@ double difference(Frames& f, const Pose& pose) {
 
 }  // namespace
 
-TEST_CASE("every_scheme_keeps_rest_and_follows_similarities" * doctest::test_suite(longer)) {
+TEST_CASE("every_deformer_keeps_rest_and_follows_similarities" * doctest::test_suite(longer)) {
   const int every = rounds(3, 1);  // the short run tests every third pair of an angle and a scale
   const double angles[] = {0, 1e-9, 90, 179.999, 180, 270}, scales[] = {1e-3, 1, 1e3};
-  for (const Scheme& scheme : whole_schemes()) {
-    CAPTURE(text(scheme));
-    Frames b(model(), cage_of_a_part(), scheme);
+  for (const Deformer& deformer : whole_deformers()) {
+    CAPTURE(text(deformer));
+    Frames b(model(), cage_of_a_part(), deformer);
     const auto& rest = b.staged.model.positions;
     CHECK(largest_distance(b.staged.deform(rest_pose(*b.staged.cage)), rest) <
           1e-14 * b.staged.cage->diagonal);
     for (int a = 0; a < 6; ++a) {
       for (int s = 0; s < 3; ++s) {
         const double angle = angles[a], scale = scales[s];
-        const bool rigid = scheme.blend == Blend::mls_rigid;
+        const bool rigid = deformer.blend == Blend::mls_rigid;
         if (rigid ? scale != 1 : (a + s) % every != 0) continue;
         const auto map = similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale});
         CHECK(b.staged.error(map) < 5e-12);
@@ -47,11 +47,11 @@ TEST_CASE("every_scheme_keeps_rest_and_follows_similarities" * doctest::test_sui
 
 TEST_CASE("affine_poses_are_exact_where_weights_or_blend_promise_it") {
   std::size_t exact = 0;
-  for (const Scheme& scheme : whole_schemes()) {
-    CAPTURE(text(scheme));
+  for (const Deformer& deformer : whole_deformers()) {
+    CAPTURE(text(deformer));
     const bool promised =
-        scheme.weighting.weights == Weights::mean_value || scheme.blend == Blend::mls_affine;
-    Frames b(model(), cage_of_a_part(), scheme);
+        deformer.weighting.weights == Weights::mean_value || deformer.blend == Blend::mls_affine;
+    Frames b(model(), cage_of_a_part(), deformer);
     const double error = b.staged.error(shear());
     CHECK((error < 1e-12) == promised);
     CHECK(difference(b, b.staged.pose(shear())) < 5e-6);
@@ -62,30 +62,30 @@ TEST_CASE("affine_poses_are_exact_where_weights_or_blend_promise_it") {
 
 TEST_CASE("moved_poses_and_twists_beyond_180_degrees_agree_as_do_mirrored_and_collapsed_ones") {
   const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -200 * degree, 210 * degree};
-  const Vec3 way{100, -50, 25};
-  const auto moved = [&](const Vec3& x) { return twist(x) + way; };
+  const Vec3 preset{100, -50, 25};
+  const auto moved = [&](const Vec3& x) { return twist(x) + preset; };
   const auto flat = [](const Vec3& x) { return Vec3{x[0], x[1], 0}; };
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
   const auto dot = [](const Vec3&) { return Vec3{1, 2, 3}; };
-  for (const Scheme& scheme : whole_schemes()) {
-    CAPTURE(text(scheme));
-    Frames b(model(), cage_of_a_part(), scheme);
+  for (const Deformer& deformer : whole_deformers()) {
+    CAPTURE(text(deformer));
+    Frames b(model(), cage_of_a_part(), deformer);
     CHECK(difference(b, b.staged.pose(twist)) < 2e-5);
-    const auto there = mapped(b.staged.deformer.positions(), [&](const Vec3& x) { return x + way; });
+    const auto there = mapped(b.staged.deformer.positions(), [&](const Vec3& x) { return x + preset; });
     CHECK(largest_distance(b.staged.deform(b.staged.pose(moved)), there) < 1e-12);
     CHECK(difference(b, b.staged.pose(flat)) < 2e-5);
     // If several mirrored directions are equally good, the nearest rotation is not unique.
-    if (scheme.blend != Blend::mls_similarity && scheme.blend != Blend::mls_rigid)
+    if (deformer.blend != Blend::mls_similarity && deformer.blend != Blend::mls_rigid)
       CHECK(difference(b, b.staged.pose(mirror)) < 2e-5);
     CHECK(all_finite(b.staged.deform(b.staged.pose(dot))));
   }
 }
 
 TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
-  for (const Scheme& scheme : whole_schemes()) {
-    if (scheme.blend != Blend::srl) continue;
-    CAPTURE(text(scheme));
-    Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
+  for (const Deformer& deformer : whole_deformers()) {
+    if (deformer.blend != Blend::srl) continue;
+    CAPTURE(text(deformer));
+    Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), deformer.weighting, 2, deformer.blend);
     // The cage's ends rotate by angles that differ by 30 degrees, or by equal angles up to 560 degrees.
     for (const double ahead : {15.0, 0.0}) {
       std::vector<mesh::Point> before;
@@ -104,9 +104,9 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
 }
 
 TEST_CASE("a_drag_equals_a_full_frame") {
-  for (const Scheme& scheme : whole_schemes()) {
-    CAPTURE(text(scheme));
-    Frames b(model(), tube(20, 12, 0.6, 3), scheme);
+  for (const Deformer& deformer : whole_deformers()) {
+    CAPTURE(text(deformer));
+    Frames b(model(), tube(20, 12, 0.6, 3), deformer);
     Pose pose = b.staged.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, -20 * degree, 40 * degree});
     b.fused.deform(pose, sym3::Method::fast);
     b.fused.begin_drag(std::array{100u});
@@ -120,26 +120,26 @@ TEST_CASE("a_drag_equals_a_full_frame") {
 TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") {
   const auto turned = similarity({1, -2, 3}, 70 * degree, 1.3, {1, 2, 3});
   const auto half_and_twice = similarity({1, -2, 3}, 35 * degree, 1.3 * 1.3, {0, 0, 0});
-  for (Scheme scheme : whole_schemes()) {
-    if (!scheme.has_maps()) continue;
-    CAPTURE(text(scheme));
-    Frames b(model(), cage_of_a_part(), scheme);
+  for (Deformer deformer : whole_deformers()) {
+    if (!deformer.has_maps()) continue;
+    CAPTURE(text(deformer));
+    Frames b(model(), cage_of_a_part(), deformer);
     const Pose pose = b.staged.pose(turned);
     const auto whole = b.staged.deform(pose);
     const auto with = [&](double turn, double stretch) {
-      for (Deformer* d : {&b.staged.deformer, &b.fused}) d->set_amounts({turn, stretch});
+      for (FrameDeformer* d : {&b.staged.deformer, &b.fused}) d->set_amounts({turn, stretch});
       CHECK(difference(b, pose) < 2e-6);
       return b.staged.deform(pose);
     };
     CHECK(largest_distance(with(1, 1), whole) == 0);
     const auto other = with(0.5, 2);
-    scheme.amounts = {0.5, 2};
+    deformer.amounts = {0.5, 2};
     const auto exported =
-        deform_exactly(b.staged.model, b.staged.cage, scheme, pose, sym3::Method::fast, b.staged.pool);
+        deform_exactly(b.staged.model, b.staged.cage, deformer, pose, sym3::Method::fast, b.staged.pool);
     CHECK(largest_distance(exported.positions, other) < 1e-12 * b.staged.cage->diagonal);
     CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
-    if (scheme.blend != Blend::srl) continue;
+    if (deformer.blend != Blend::srl) continue;
     // A vertex rotates about the blended centre by half the angle. The stretch is squared.
     const auto centers = with(0, 0);  // c' + o
     for (std::size_t i = 0; i < other.size(); ++i) {
@@ -164,16 +164,16 @@ TEST_CASE("rotating_model_cage_and_pose_rotates_the_result") {
   const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});
   const auto small = shaken(model(), 0.02), cage = shaken(cage_of_a_part(), 0.05);
   const auto pose = shaken(cage, 0.15).positions;
-  auto schemes = valid_schemes();
-  schemes.push_back(default_scheme());
-  schemes.back().iterations = 1, schemes.back().holding = {0.2, 0.1};
+  auto deformers = valid_deformers();
+  deformers.push_back(default_deformer());
+  deformers.back().iterations = 1, deformers.back().holding = {0.2, 0.1};
   base::WorkerPool pool(2);
-  for (Scheme scheme : schemes) {
-    CAPTURE(text(scheme));
-    CAPTURE(scheme.stitched());
+  for (Deformer deformer : deformers) {
+    CAPTURE(text(deformer));
+    CAPTURE(deformer.stitched());
     const auto deformed = [&](const mesh::Surface& m, const mesh::Surface& c,
                               const std::vector<mesh::Point>& positions) {
-      return deform_exactly(m, std::make_shared<const Cage>(make_cage(c)), scheme, {positions, {}},
+      return deform_exactly(m, std::make_shared<const Cage>(make_cage(c)), deformer, {positions, {}},
                             sym3::Method::diag, pool)
           .positions;
     };

@@ -1,10 +1,10 @@
-#include "deform/deformer.h"
+#include "deform/frame_deformer.h"
 
 #include <cassert>
 #include <utility>
 
 #include "deform/vertex_sample.h"
-#include "pose/scheme.h"
+#include "pose/deformer.h"
 
 namespace viete::deform {
 
@@ -22,48 +22,48 @@ std::vector<Vec3> positions_at(std::span<const pose::FrameVertex> vertices, cons
 
 }  // namespace
 
-Deformer::Deformer(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
-                   const pose::Scheme& scheme, base::WorkerPool& pool,
-                   std::shared_ptr<const Stitching> stitching)
+FrameDeformer::FrameDeformer(std::shared_ptr<const pose::Cage> cage,
+                        std::shared_ptr<const weights::Binding> binding, const pose::Deformer& deformer,
+                        base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
     : cage_(cage),
       pool_(pool),
       binding_(std::move(binding)),
-      scheme_(scheme),
-      state_(cage, scheme.weighting.elements, scheme.blend),
+      deformer_(deformer),
+      state_(cage, deformer.weighting.elements, deformer.blend),
       weigher_(state_.cage(), binding_->weighting),
       layer_(*binding_->rest, pool) {
-  state_.set_amounts(scheme.amounts);
+  state_.set_amounts(deformer.amounts);
   const pose::RowForm form = state_.rows().form;
   if (!binding_->weights.empty()) staged_ = std::make_unique<StagedEngine>(binding_, form, pool);
-  if (scheme.stitched() && stitching && binding_->tiles) {
+  if (deformer.stitched() && stitching && binding_->tiles) {
     stitched_ =
-        std::make_unique<StitchedEngine>(binding_, std::move(stitching), form, scheme.iterations, pool);
+        std::make_unique<StitchedEngine>(binding_, std::move(stitching), form, deformer.iterations, pool);
   } else if (binding_->tiles) {
     fused_ = std::make_unique<FusedEngine>(binding_, form, pool);
   }
   set_mask(nullptr);
 }
 
-std::optional<pose::EngineKind> Deformer::engine(sym3::Method method) const {
-  const pose::EngineKind wanted = engine_for(scheme_, method, all_staged_);
+std::optional<pose::EngineKind> FrameDeformer::engine(sym3::Method method) const {
+  const pose::EngineKind wanted = engine_for(deformer_, method, all_staged_);
   if (wanted == pose::EngineKind::stitched) return stitched_ ? std::optional(wanted) : std::nullopt;
   if (wanted == pose::EngineKind::fused && fused_) return wanted;
   return staged_ ? std::optional(pose::EngineKind::staged) : std::nullopt;
 }
 
-void Deformer::set_amounts(const pose::Amounts& amounts) {
-  scheme_.amounts = amounts;
+void FrameDeformer::set_amounts(const pose::Amounts& amounts) {
+  deformer_.amounts = amounts;
   state_.set_amounts(amounts);
 }
 
 template <class Act>
-void Deformer::for_engines(const Act& act) {
+void FrameDeformer::for_engines(const Act& act) {
   if (staged_) act(*staged_);
   if (fused_) act(*fused_);
   if (stitched_) act(*stitched_);
 }
 
-void Deformer::set_mask(weights::Mask mask) {
+void FrameDeformer::set_mask(weights::Mask mask) {
   mask_ = std::move(mask);
   layer_.set(layer_.probes(), mask_);
   const bool partial = !binding_->shares.empty() || (binding_->tiles && !binding_->tiles->shares.empty());
@@ -71,25 +71,25 @@ void Deformer::set_mask(weights::Mask mask) {
   for_engines([&](Engine& engine) { engine.set_mask(mask_); });
 }
 
-void Deformer::set_shape(const weights::SharedShape& shape) {
+void FrameDeformer::set_shape(const weights::SharedShape& shape) {
   if (shape == shape_) return;
   shape_ = shape;
-  ways_ = weights::ways_of(shape, *binding_->rest);
-  if (shape && !follower_ && ShapeFollower::is_for(scheme_))
+  displacements_ = weights::displacements_of(shape, *binding_->rest);
+  if (shape && !follower_ && ShapeFollower::is_for(deformer_))
     follower_ = std::make_unique<ShapeFollower>(cage_);
-  show_ways(ways_);
+  show_displacements(displacements_);
 }
 
-void Deformer::show_ways(std::span<const Vec3> ways) {
-  shown_ways_ = ways;
-  for_engines([&](Engine& engine) { engine.set_shape(ways); });
+void FrameDeformer::show_displacements(std::span<const Vec3> displacements) {
+  shown_displacements_ = displacements;
+  for_engines([&](Engine& engine) { engine.set_shape(displacements); });
 }
 
-void Deformer::set_probes(const pose::Probes& probes) {
+void FrameDeformer::set_probes(const pose::Probes& probes) {
   layer_.set(probes, mask_);
 }
 
-Engine& Deformer::of(pose::EngineKind kind) const {
+Engine& FrameDeformer::of(pose::EngineKind kind) const {
   switch (kind) {
     case pose::EngineKind::staged: return *staged_;
     case pose::EngineKind::fused: return *fused_;
@@ -98,13 +98,13 @@ Engine& Deformer::of(pose::EngineKind kind) const {
   return *fused_;
 }
 
-void Deformer::deform(const pose::Pose& pose, sym3::Method method) {
+void FrameDeformer::deform(const pose::Pose& pose, sym3::Method method) {
   const pose::EngineKind kind = engine(method).value_or(pose::EngineKind::fused);
   assert(kind != pose::EngineKind::fused || fused_);
   state_.set_pose(pose);
-  if (follower_ && !ways_.empty()) {
+  if (follower_ && !displacements_.empty()) {
     follower_->set_pose(pose);
-    show_ways(follower_->followed(binding_, mask_, ways_, pool_));
+    show_displacements(follower_->followed(binding_, mask_, displacements_, pool_));
   }
   of(kind).set_layer(layer_.moves() ? &layer_ : nullptr);
   of(kind).run(state_, method);
@@ -113,19 +113,19 @@ void Deformer::deform(const pose::Pose& pose, sym3::Method method) {
   if (!layer_.moves()) layer_.carry(positions_at(vertices(), layer_.anchors()), origin());
 }
 
-std::span<const pose::FrameVertex> Deformer::vertices() const {
+std::span<const pose::FrameVertex> FrameDeformer::vertices() const {
   return ran_ ? last().vertices() : std::span<const pose::FrameVertex>();
 }
 
-pose::LinkTimes Deformer::times() const {
-  pose::LinkTimes times;
+pose::StageTimes FrameDeformer::times() const {
+  pose::StageTimes times;
   if (!ran_) return times;
   times += state_.times();
   times += last().times();
   return times;
 }
 
-std::vector<mesh::Point> Deformer::positions() const {
+std::vector<mesh::Point> FrameDeformer::positions() const {
   if (ran_ == pose::EngineKind::staged) return {staged_->positions().begin(), staged_->positions().end()};
   std::vector<mesh::Point> all;
   if (ran_ == pose::EngineKind::stitched && !layer_.moves()) {
@@ -137,22 +137,23 @@ std::vector<mesh::Point> Deformer::positions() const {
   return all;
 }
 
-std::vector<mesh::Point> Deformer::normals() const {
+std::vector<mesh::Point> FrameDeformer::normals() const {
   if (ran_ == pose::EngineKind::staged) return {staged_->normals().begin(), staged_->normals().end()};
   std::vector<mesh::Point> all;
   for (const pose::FrameVertex& v : vertices()) all.push_back(base::unpack_normal(v.normal));
   return all;
 }
 
-std::vector<sym3::Sym3<double>> Deformer::sample_matrices(std::size_t limit) const {
+std::vector<sym3::Sym3<double>> FrameDeformer::sample_matrices(std::size_t limit) const {
   return ran_ ? sample_stretches(weigher_, *binding_, mask_, state_.rows(), limit)
               : std::vector<sym3::Sym3<double>>();
 }
 
-double Deformer::sampled_error() const {
+double FrameDeformer::sampled_error() const {
   if (!ran_ || ran_ == pose::EngineKind::staged) return 0;
   const auto measured = [&](const ProbeLayer* layer, std::span<const Vec3> shown) {
-    return deform::sampled_error(weigher_, *binding_, mask_, shown_ways_, state_.rows(), layer, shown);
+    return deform::sampled_error(weigher_, *binding_, mask_, shown_displacements_, state_.rows(), layer,
+                                 shown);
   };
   if (ran_ == pose::EngineKind::stitched) return measured(nullptr, stitched_->blended_sample());
   return measured(

@@ -17,19 +17,20 @@
 
 namespace viete::deform {
 
-/// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Method
-/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. Otherwise, the
+/// A bound model with the engines that its binding allows. Stitched deformers use the stitched engine. Method
+/// `fast` and deformers without exponentials use the fused engine if the binding has tiles. Otherwise, the
 /// staged engine is used. Not thread-safe. Other threads can read the constant cage and binding.
-class Deformer {
+class FrameDeformer {
 public:
-  /// `cage` and `binding` must not be null, and the binding must be for this cage and the scheme's weights.
-  /// `stitching` must be for this scheme, or null if the scheme is not stitched or stitching is not ready.
-  Deformer(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
-           const pose::Scheme& scheme, base::WorkerPool& pool,
-           std::shared_ptr<const Stitching> stitching = nullptr);
+  /// `cage` and `binding` must not be null, and the binding must be for this cage and the deformer's weights.
+  /// `stitching` must be for this deformer, or null if the deformer is not stitched or stitching is not
+  /// ready.
+  FrameDeformer(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
+                const pose::Deformer& deformer, base::WorkerPool& pool,
+                std::shared_ptr<const Stitching> stitching = nullptr);
 
-  const pose::Scheme& scheme() const { return scheme_; }
-  /// Changes only the amounts of the scheme. All setters apply to the next frames.
+  const pose::Deformer& deformer() const { return deformer_; }
+  /// Changes only the amounts of the deformer. All setters apply to the next frames.
   void set_amounts(const pose::Amounts& amounts);
   /// mask: one factor per vertex, from 0 (stays at rest) to 1 (full motion); null if all are 1.
   void set_mask(weights::Mask mask);
@@ -58,7 +59,7 @@ public:
   const pose::CageState& state() const { return state_; }
   /// The engine of the last frame; nullopt before the first frame.
   std::optional<pose::EngineKind> ran() const { return ran_; }
-  pose::LinkTimes times() const;
+  pose::StageTimes times() const;
 
   /// Return copies of all positions and normals of the last frame. The staged engine gives double precision,
   /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves the model.
@@ -75,18 +76,19 @@ private:
   Engine& of(pose::EngineKind kind) const;
   template <class Act>
   void for_engines(const Act& act);
-  void show_ways(std::span<const Vec3> ways);
+  void show_displacements(std::span<const Vec3> displacements);
   const Engine& last() const { return of(*ran_); }
 
   std::shared_ptr<const pose::Cage> cage_;
   base::WorkerPool& pool_;
   std::shared_ptr<const weights::Binding> binding_;
-  pose::Scheme scheme_;
+  pose::Deformer deformer_;
   weights::Mask mask_;
   weights::SharedShape shape_;
-  std::vector<Vec3> ways_;                   // displacements of the shape from rest
-  std::span<const Vec3> shown_ways_;         // displacements passed to the engines: ways_ or rotated ways_
-  std::unique_ptr<ShapeFollower> follower_;  // rotates ways_; null if not needed
+  std::vector<Vec3> displacements_;  // displacements of the shape from rest
+  std::span<const Vec3>
+      shown_displacements_;  // displacements passed to the engines: displacements_ or rotated displacements_
+  std::unique_ptr<ShapeFollower> follower_;  // rotates displacements_; null if not needed
   pose::CageState state_;
   weights::Weigher weigher_;
   ProbeLayer layer_;

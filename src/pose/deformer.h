@@ -1,4 +1,4 @@
-// Schemes: the weights and the blend that deform a model, their names, and how users' choices are combined.
+// Deformers: the weights and the blend that deform a model, their names, and how users' choices are combined.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ enum class EngineKind { staged, fused, stitched };
 
 Elements elements_of(Weights weights, Blend blend);
 
-/// Limit of Scheme::iterations. More iterations change almost nothing.
+/// Limit of Deformer::iterations. More iterations change almost nothing.
 inline constexpr int most_iterations = 20;
 
 /// All settings that affect the weights of a binding. (The blend does not affect the weights.)
@@ -75,8 +75,8 @@ struct Holding {
   friend bool operator==(const Holding&, const Holding&) = default;
 };
 
-/// The defaults of the members are the published scheme. default_scheme() is the program's default.
-struct Scheme {
+/// The defaults of the members are the published deformer. default_deformer() is the program's default.
+struct Deformer {
   Weighting weighting;
   Blend blend = Blend::srl;
   Amounts amounts{};  ///< ignored if elements only translate
@@ -89,19 +89,19 @@ struct Scheme {
   bool exponential() const { return blend == Blend::srl; }
   /// Returns true if elements rotate and stretch; false if they only translate.
   bool has_maps() const { return weighting.elements == Elements::face; }
-  friend bool operator==(const Scheme& a, const Scheme& b) {
+  friend bool operator==(const Deformer& a, const Deformer& b) {
     return a.weighting == b.weighting && a.blend == b.blend && a.amounts == b.amounts &&
            a.iterations == b.iterations && a.holding == b.holding;
   }
 };
 
-/// The cheapest scheme, for a cage without elements: see no_cage().
-inline Scheme no_motion() {
+/// The cheapest deformer, for a cage without elements: see no_cage().
+inline Deformer no_motion() {
   return {.weighting = {}, .blend = Blend::linear};
 }
 
 /// If weights, blend and stitching are incompatible, returns the reason as a sentence; otherwise nullopt.
-std::optional<std::string_view> conflict(const Scheme& scheme);
+std::optional<std::string_view> conflict(const Deformer& deformer);
 
 /// A choice of weights and a choice of a blend. A member without a value allows any value.
 struct PartialChoice {
@@ -110,25 +110,26 @@ struct PartialChoice {
 
   bool any() const { return weights || blend; }
 };
-bool fits(const PartialChoice& choice, const Scheme& scheme);
+bool fits(const PartialChoice& choice, const Deformer& deformer);
 
 /// Returns all compatible pairs of weights and blend, unstitched and with default numbers.
-std::vector<Scheme> valid_schemes();
+std::vector<Deformer> valid_deformers();
 
 /// Returns the names of weights and blend, for example "inverse, srl". If stitched, adds ", arap".
-std::string text(const Scheme& scheme);
+std::string text(const Deformer& deformer);
 
-enum class Way { smooth, paper, mean_value, rigid, arap, local };
-std::span<const base::Choice> choices(Way);
+enum class Preset { smooth, paper, mean_value, rigid, arap, local };
+std::span<const base::Choice> choices(Preset);
 
-/// Returns the scheme of a deformer, with the amounts of `now`.
-Scheme scheme_of(Way way, const Scheme& now = {});
-/// Returns the deformer of a scheme, or nullopt. Ignores amounts, radius, number of iterations and holding.
-std::optional<Way> way_of(const Scheme& scheme);
+/// Returns the deformer of a deformer, with the amounts of `now`.
+Deformer deformer_of(Preset preset, const Deformer& now = {});
+/// Returns the deformer of a deformer, or nullopt. Ignores amounts, radius, number of iterations and holding.
+std::optional<Preset> preset_of(const Deformer& deformer);
 
-/// The default is Way::smooth. It has the lowest energy over the poses of many models and is never among the
-/// worst (see the manual). Without triangles, the default is Way::paper, because its weights need no surface.
-Scheme default_scheme(bool has_triangles = true);
+/// The default is Preset::smooth. It has the lowest energy over the poses of many models and is never among
+/// the worst (see the manual). Without triangles, the default is Preset::paper, because its weights need no
+/// surface.
+Deformer default_deformer(bool has_triangles = true);
 
 inline PartialChoice only(Weights weights) {
   return {.weights = weights};
@@ -137,46 +138,47 @@ inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
 
-/// Returns a scheme with these choices. Keeps as much as possible of `preferred`: the radius, the amounts,
+/// Returns a deformer with these choices. Keeps as much as possible of `preferred`: the radius, the amounts,
 /// and stitching if compatible. Throws base::Error with the reason if the choices are incompatible.
-Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
+Deformer complete(const PartialChoice& choice, const Deformer& preferred = {});
 
-/// Returns the scheme after a user picks this deformer, weights or blend. Keeps compatible choices of `now`.
-inline Scheme chosen(Way way, const Scheme& now) {
-  return scheme_of(way, now);
+/// Returns the deformer after a user picks this deformer, weights or blend. Keeps compatible choices of
+/// `now`.
+inline Deformer chosen(Preset preset, const Deformer& now) {
+  return deformer_of(preset, now);
 }
 template <class Choice>
-Scheme chosen(Choice choice, const Scheme& now) {
+Deformer chosen(Choice choice, const Deformer& now) {
   return complete(only(choice), now);
 }
 
-struct AskedScheme {
-  std::optional<Way> way{};  ///< the base; the other fields modify it
+struct AskedDeformer {
+  std::optional<Preset> preset{};  ///< the base; the other fields modify it
   PartialChoice choice{};
   std::optional<double> radius{}, rotation{}, stretch{};  ///< see all_numbers()
   bool arap = false;                                      ///< turns ARAP on
-  std::optional<int> iterations{};                        ///< needs ARAP, see Scheme::iterations
+  std::optional<int> iterations{};                        ///< needs ARAP, see Deformer::iterations
   std::optional<double> attach{}, hold{};                 ///< see all_numbers()
 
   bool any() const {
-    return way || choice.any() || radius || rotation || stretch || arap || iterations || attach || hold;
+    return preset || choice.any() || radius || rotation || stretch || arap || iterations || attach || hold;
   }
 };
 
 /// A setting that is a fraction. Users see and type percent; libraries use the fraction.
 struct NumberEntry : base::Choice {
-  /// The condition under which a scheme uses the setting, and the error if the condition is not met.
+  /// The condition under which a deformer uses the setting, and the error if the condition is not met.
   struct Need {
-    bool (*met)(const Scheme& scheme);
+    bool (*met)(const Deformer& deformer);
     std::string_view problem, advice;
   };
-  double& (*of)(Scheme& scheme);
-  std::optional<double> AskedScheme::*asked;
+  double& (*of)(Deformer& deformer);
+  std::optional<double> AskedDeformer::*asked;
   Need need;
   double least = 0, largest = 1;
 
   /// The value in percent, rounded to the number that a user typed: 29 instead of 28.999999999999996.
-  double percent(Scheme scheme) const;
+  double percent(Deformer deformer) const;
 };
 /// Returns a fraction as text, for example "25 %".
 std::string text_of_percent(double fraction);
@@ -187,11 +189,11 @@ const NumberEntry& number(std::string_view word);
 /// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. `chosen` is true if
 /// weights were chosen by name earlier, for example in a session. Otherwise, if `asked` has a radius, but
 /// neither a deformer nor weights, selects cut-off weights. Throws base::Error for incompatible choices, for
-/// numbers that the scheme does not use, and for ARAP with elements that only translate.
-Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
+/// numbers that the deformer does not use, and for ARAP with elements that only translate.
+Deformer deformer_of(const AskedDeformer& asked, const Deformer& now, bool chosen = false);
 
-/// Returns `stitched` for stitched schemes, `fused` for the method `fast` and for schemes without an
+/// Returns `stitched` for stitched deformers, `fused` for the method `fast` and for deformers without an
 /// exponential, and otherwise `staged`. If `all_staged` is true, treats `fast` like the other methods.
-EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool all_staged = false);
+EngineKind engine_for(const Deformer& deformer, sym3::Method method, bool all_staged = false);
 
 }  // namespace viete::pose
