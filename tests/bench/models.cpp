@@ -1,7 +1,7 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "deform/frame_deformer.h"
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "mesh/winding_number.h"
 #include "support/shapes.h"
 #include "weights/bind.h"

@@ -1,5 +1,5 @@
 #include "bench/modes.h"
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "support/shapes.h"
 
 using namespace viete;

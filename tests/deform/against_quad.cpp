@@ -1,6 +1,6 @@
 // Compares both engines with independent code in quad precision.
 
-#include "deform/all_maps.h"
+#include "pose/all_maps.h"
 #include "deform/bound.h"
 #include "deform/independent.h"
 #include "support/skip.h"

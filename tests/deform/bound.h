@@ -6,7 +6,7 @@
 
 #include "deform/exact.h"
 #include "deform/frame_deformer.h"
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "pose/deformer.h"
 #include "weights/bind.h"
 #include "weights/binding.h"

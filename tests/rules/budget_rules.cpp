@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "support/data.h"
 
@@ -14,6 +15,7 @@ namespace fs = std::filesystem;
 
 // The targets are 80,000 lines of src and 42,000 of tests.
 constexpr std::size_t most_lines_of_src = 82'900, most_lines_of_tests = 42'650;
+constexpr std::size_t most_lines_of_a_room = 10'000, most_files_of_a_room = 45, most_lines_of_a_file = 600;
 constexpr std::size_t most_words_of_readme = 900, most_words_of_manual_and_rooms = 16'150;
 
 std::size_t count_lines(const fs::path& file) {
@@ -56,6 +58,23 @@ std::size_t lines_of_code(const char* folder) {
 TEST_CASE("src_and_tests_have_no_more_lines_than_their_budgets") {
   CHECK(lines_of_code("src") <= most_lines_of_src);
   CHECK(lines_of_code("tests") <= most_lines_of_tests);
+}
+
+TEST_CASE("rooms_and_files_are_of_a_size_that_can_be_read") {
+  std::map<std::string, std::size_t> files, lines;
+  const fs::path src = viete::test::source_dir() / "src";
+  for_files(src, [&](const fs::path& file) {
+    if (file.extension() != ".cpp" && file.extension() != ".h") return;
+    const std::string room = file.lexically_relative(src).begin()->string();
+    const std::size_t count = count_lines(file);
+    CHECK_MESSAGE(count <= most_lines_of_a_file, file.string(), ": split it");
+    ++files[room];
+    lines[room] += count;
+  });
+  for (const auto& [room, count] : files) {
+    CHECK_MESSAGE(count <= most_files_of_a_room, room);
+    CHECK_MESSAGE(lines[room] <= most_lines_of_a_room, room);
+  }
 }
 
 TEST_CASE("readme_manual_and_rooms_have_no_more_words_than_their_budget") {

@@ -149,7 +149,8 @@ inline std::vector<std::string> includes_of(const std::string& text) {
 
 /// Replaces comments and strings by blanks.
 inline std::string code_of(const std::string& text) {
-  static const std::regex other(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/|"(\\.|[^"\\\n])*")");
+  static const std::regex other(
+      R"(//[^\n]*|'(\\.|[^'\\\n])'|/\*[^*]*\*+([^/*][^*]*\*+)*/|"(\\.|[^"\\\n])*")");
   return std::regex_replace(text, other, " ");
 }
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "support/skip.h"
 
 using namespace viete;

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 #include <set>
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "weights/leaves.h"
 
 using namespace viete::test;

@@ -1,6 +1,6 @@
 #include "pose/pose_io.h"
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "formats/read.h"
 #include "formats/write.h"
 #include "support/folder.h"

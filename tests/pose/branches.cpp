@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "pose/branches.h"
 #include "pose/maps.h"
 

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 #include <Eigen/SparseCore>
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "weights/laplacian.h"
 
 using namespace viete;

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "deform/all_maps.h"
-#include "deform/shapes.h"
+#include "pose/all_maps.h"
+#include "support/caged_shapes.h"
 
 using namespace viete::test;
 

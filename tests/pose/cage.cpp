@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 #include <cstring>
 
-#include "deform/all_maps.h"
-#include "deform/shapes.h"
+#include "pose/all_maps.h"
+#include "support/caged_shapes.h"
 #include "pose/cage.h"
 #include "pose/cage_state.h"
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "formats/read.h"
 #include "support/data.h"
 

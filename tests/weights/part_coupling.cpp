@@ -1,7 +1,7 @@
 #include "weights/part_coupling.h"
 
 #include "deform/bound.h"
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "formats/read.h"
 #include "mesh/edge_paths.h"
 #include "mesh/repair.h"

@@ -2,7 +2,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
-#include "deform/shapes.h"
+#include "support/caged_shapes.h"
 #include "sparse/sparse_cholesky.h"
 #include "weights/laplacian.h"
 

@@ -1,6 +1,6 @@
 #include "pose/patch_maps.h"
 
-#include "deform/all_maps.h"
+#include "pose/all_maps.h"
 #include "deform/bound.h"
 
 using namespace viete;
