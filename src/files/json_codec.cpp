@@ -19,10 +19,10 @@ using nlohmann::json, nlohmann::ordered_json;
 using weights::SharedShape;
 
 std::optional<JsonField> JsonField::child(const char* key, bool needed) const {
-  if (!reads()) return JsonField((*out_)[key], *shapes_);
-  if (needed) return JsonField(in_->at(key), *shapes_);
+  if (!reads()) return JsonField((*out_)[key], shapes_);
+  if (needed) return JsonField(in_->at(key), shapes_);
   const auto found = in_->find(key);
-  return found ? std::optional(JsonField(*found, *shapes_)) : std::nullopt;
+  return found ? std::optional(JsonField(*found, shapes_)) : std::nullopt;
 }
 
 std::size_t JsonField::list(std::size_t count, std::size_t most) const {
@@ -34,9 +34,9 @@ std::size_t JsonField::list(std::size_t count, std::size_t most) const {
 }
 
 JsonField JsonField::item(std::size_t index) const {
-  if (reads()) return JsonField(in_->item(index), *shapes_);
+  if (reads()) return JsonField(in_->item(index), shapes_);
   out_->push_back(ordered_json::object());
-  return JsonField(out_->back(), *shapes_);
+  return JsonField(out_->back(), shapes_);
 }
 
 namespace {

@@ -117,8 +117,9 @@ struct Reach {
 /// A JSON value to read or to write. Reading throws base::Error with file and key.
 class JsonField {
 public:
-  JsonField(const JsonReader& from, ShapeTable& shapes) : in_(from), shapes_(&shapes) {}
-  JsonField(nlohmann::ordered_json& to, ShapeTable& shapes) : out_(&to), shapes_(&shapes) {}
+  /// `shapes` is needed for values that refer to shapes.
+  explicit JsonField(const JsonReader& from, ShapeTable* shapes = nullptr) : in_(from), shapes_(shapes) {}
+  explicit JsonField(nlohmann::ordered_json& to, ShapeTable* shapes = nullptr) : out_(&to), shapes_(shapes) {}
 
   bool reads() const { return in_.has_value(); }
   const JsonReader& in() const { return *in_; }

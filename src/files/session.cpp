@@ -395,8 +395,8 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   ordered_json json = {{"format", format_name}, {"version", format_version}};
   ShapeTable shapes;
   Session copy = session;  // code() needs a value that is not const
-  code_session(JsonField(json, shapes), copy, {resolved(file).parent_path(), portable});
-  if (!shapes.all.empty()) code(JsonField(json["shapes"], shapes), shapes);
+  code_session(JsonField(json, &shapes), copy, {resolved(file).parent_path(), portable});
+  if (!shapes.all.empty()) code(JsonField(json["shapes"], &shapes), shapes);
   return readable(json, file);
 }
 
@@ -405,9 +405,9 @@ Session read_session(const fs::path& file) {
   const JsonReader json(whole, file.string());
   check_version(json, file);
   ShapeTable shapes;
-  if (const auto found = json.find("shapes")) code(JsonField(*found, shapes), shapes);
+  if (const auto found = json.find("shapes")) code(JsonField(*found, &shapes), shapes);
   Session session;
-  code_session(JsonField(json, shapes), session, {resolved(file).parent_path(), true});
+  code_session(JsonField(json, &shapes), session, {resolved(file).parent_path(), true});
   constexpr std::size_t most_notes = 8;
   for (const std::string& key : json.ignored_keys())
     if (session.notes.size() < most_notes)

@@ -146,8 +146,7 @@ Preferences read_preferences(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return preferences;
   const nlohmann::json whole = files::read_json(file);
-  files::ShapeTable none;
-  code(files::JsonField(files::JsonReader(whole, file.string()), none), preferences);
+  code(files::JsonField(files::JsonReader(whole, file.string())), preferences);
   return preferences;
 }
 
@@ -155,8 +154,7 @@ void write_preferences(const fs::path& file, const Preferences& preferences) {
   Preferences all = preferences;
   if (all.window && !document::is_window(all.window->x, all.window->y)) all.window.reset();
   nlohmann::ordered_json json = {{"format", "viete remembered"}, {"version", 1}};
-  files::ShapeTable none;
-  code(files::JsonField(json, none), all);
+  code(files::JsonField(json), all);
   base::replace_file(file, files::readable(json, file), base::Durability::process);
 }
 
