@@ -15,7 +15,7 @@ namespace viete::workspace {
 namespace {
 
 template <class Value>
-Value& place(document::Handling& h) {
+Value& setting_of(document::Handling& h) {
   if constexpr (std::is_same_v<Value, document::Pivot>) return h.pivot;
   if constexpr (std::is_same_v<Value, document::Axes>) return h.axes;
   if constexpr (std::is_same_v<Value, document::MirrorPlane>) return h.mirror;
@@ -35,7 +35,7 @@ void choose(Workspace& w, document::MirrorPlane plane) {
 
 template <class Value>
 void choose(Workspace& w, Value value) {
-  place<Value>(w.view.handling) = value;
+  setting_of<Value>(w.view.handling) = value;
 }
 
 template <class Value>
@@ -45,7 +45,7 @@ void add_hand_choices(CommandTable& table, std::string_view headline) {
 
 template <class Value>
 void choose_next(Workspace& w) {
-  choose(w, next_choice(place<Value>(w.view.handling)));
+  choose(w, next_choice(setting_of<Value>(w.view.handling)));
 }
 
 template <interact::Tool Use, interact::Shape Kind = interact::Shape::none>
@@ -114,7 +114,7 @@ void toggle_locked(Workspace& w) {
 
 }  // namespace
 
-void add_hand_commands(CommandTable& table) {
+void add_tool_commands(CommandTable& table) {
   table.heading("Transform");
   table.add("grab", {"Move selection", "Move"},
             "Move the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
