@@ -10,8 +10,7 @@
 #include "base/text.h"
 #include "formats/conversion.h"
 #include "formats/foreign_content.h"
-#include "formats/mtl.h"
-#include "formats/obj_words.h"
+#include "formats/obj_file.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
 

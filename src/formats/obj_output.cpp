@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/conversion.h"
-#include "formats/obj_words.h"
+#include "formats/obj_file.h"
 #include "formats/printed.h"
 #include "formats/rewriter.h"
 #include "mesh/normals.h"
