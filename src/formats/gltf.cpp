@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/foreign_content.h"
+#include "formats/source.h"
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_file.h"
 #include "formats/gltf_morphs.h"

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/conversion.h"
-#include "formats/foreign_content.h"
+#include "formats/source.h"
 #include "formats/obj_file.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "formats/codecs.h"
-#include "formats/foreign_content.h"
+#include "formats/source.h"
 #include "formats/format_table.h"
 
 namespace viete::formats {
