@@ -24,7 +24,7 @@
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
 #include "files/export.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "formats/source.h"
 
 namespace viete::app {

@@ -8,8 +8,7 @@
 #include <span>
 
 #include "base/error.h"
-#include "formats/printed.h"
-#include "formats/rewriter.h"
+#include "formats/text_writer.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {

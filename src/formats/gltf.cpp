@@ -14,7 +14,7 @@
 #include "formats/gltf_morphs.h"
 #include "formats/gltf_original.h"
 #include "formats/gltf_scene.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "formats/surface_builder.h"
 #include "mesh/point_index.h"
 

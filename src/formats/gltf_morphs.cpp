@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 
 namespace viete::formats {
 

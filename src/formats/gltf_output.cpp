@@ -13,7 +13,7 @@
 #include "formats/conversion.h"
 #include "formats/gltf_file.h"
 #include "formats/gltf_morphs.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {

@@ -14,7 +14,7 @@
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_morphs.h"
 #include "formats/gltf_original.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {

@@ -9,8 +9,8 @@
 #include "formats/codecs.h"
 #include "formats/conversion.h"
 #include "formats/obj_file.h"
-#include "formats/printed.h"
-#include "formats/rewriter.h"
+#include "formats/text_writer.h"
+#include "formats/file_vectors.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "formats/conversion.h"
 #include "formats/file_vectors.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
 

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/byte_order.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "formats/source.h"
 
 namespace viete::formats {

@@ -10,7 +10,7 @@
 #include "formats/codecs.h"
 #include "formats/conversion.h"
 #include "formats/format_table.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 
 namespace viete::formats {
 

@@ -1,4 +1,4 @@
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 
 #include <algorithm>
 #include <array>
