@@ -9,8 +9,8 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
+#include "formats/attributes.h"
 #include "formats/codecs.h"
-#include "formats/conversion.h"
 #include "formats/gltf_file.h"
 #include "formats/gltf_morphs.h"
 #include "formats/text_writer.h"

@@ -8,9 +8,9 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/conversion.h"
-#include "formats/source.h"
+#include "formats/attributes.h"
 #include "formats/obj_file.h"
+#include "formats/source.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
 

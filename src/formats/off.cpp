@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "base/text.h"
-#include "formats/conversion.h"
+#include "formats/attributes.h"
 #include "formats/file_vectors.h"
-#include "formats/text_writer.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
+#include "formats/text_writer.h"
 
 namespace viete::formats {
 

@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "formats/conversion.h"
+#include "formats/attributes.h"
 #include "formats/file_vectors.h"
 #include "formats/ply_file.h"
 #include "formats/surface_builder.h"

@@ -13,8 +13,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/byte_order.h"
-#include "formats/text_writer.h"
 #include "formats/source.h"
+#include "formats/text_writer.h"
 
 namespace viete::formats {
 

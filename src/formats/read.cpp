@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "formats/codecs.h"
-#include "formats/source.h"
 #include "formats/format_table.h"
+#include "formats/source.h"
 
 namespace viete::formats {
 

@@ -9,9 +9,9 @@
 #include "base/error.h"
 #include "formats/byte_order.h"
 #include "formats/file_vectors.h"
-#include "formats/text_writer.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
+#include "formats/text_writer.h"
 #include "mesh/point_index.h"
 
 namespace viete::formats {
