@@ -11,7 +11,7 @@
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_file.h"
 #include "formats/gltf_morphs.h"
-#include "formats/gltf_original.h"
+#include "formats/gltf_output.h"
 #include "formats/gltf_scene.h"
 #include "formats/source.h"
 #include "formats/surface_builder.h"

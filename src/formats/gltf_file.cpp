@@ -417,12 +417,4 @@ GltfFile take_apart(const Source& source) {
       .take();
 }
 
-std::string encoded_uri(std::string_view path) {
-  return base::percent_encoded(path, [](char c) {
-    constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-           plain.find(c) != std::string_view::npos;
-  });
-}
-
 }  // namespace viete::formats
