@@ -9,7 +9,6 @@
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/text.h"

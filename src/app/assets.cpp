@@ -72,4 +72,16 @@ fs::path manual_page(const std::string& chapter) {
   throw base::Error("the manual", "it has no chapter " + chapter, "choose one of " + chapters_in(folder));
 }
 
+const char* version() {
+  return VIETE_VERSION;
+}
+
+const char* build_type() {
+  return VIETE_BUILD_TYPE;
+}
+
+const char* source_assets() {
+  return VIETE_SOURCE_ASSETS;
+}
+
 }  // namespace viete::app

@@ -18,14 +18,13 @@
 #include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
 #include "files/export.h"
-#include "formats/text_writer.h"
 #include "formats/source.h"
+#include "formats/text_writer.h"
 
 namespace viete::app {
 

@@ -6,7 +6,6 @@
 
 #include "app/command_line.h"
 #include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/format_table.h"

@@ -7,7 +7,6 @@
 #include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/error.h"
 #include "document/animation.h"
 #include "document/document_state.h"

@@ -10,7 +10,6 @@
 #include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
