@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace viete::app {
 
@@ -19,13 +20,13 @@ fs::path assets_folder() {
   if (const char* named = std::getenv("VIETE_ASSETS")) places.emplace_back(named);
   places.push_back(program_folder() / ".." / "share" / "viete");
   places.emplace_back(source_assets());
-  std::string looked;
+  std::vector<std::string> looked;
   for (const auto& place : places) {
     std::error_code ignored;
     if (fs::exists(place / "dragon" / "dragon.ply", ignored)) return fs::weakly_canonical(place);
-    looked += (looked.empty() ? "" : ", ") + place.string();
+    looked.push_back(place.string());
   }
-  throw base::Error("dragon/dragon.ply", "the bundled model was not found in " + looked,
+  throw base::Error("dragon/dragon.ply", "the bundled model was not found in " + base::joined(looked),
                     "set VIETE_ASSETS to the folder that contains dragon/, or open another model");
 }
 
@@ -57,9 +58,7 @@ std::string chapters_in(const fs::path& folder) {
     if (entry.path().extension() == ".html" && name != "index") names.push_back(name);
   }
   std::sort(names.begin(), names.end());
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+  return base::joined(names);
 }
 
 }  // namespace

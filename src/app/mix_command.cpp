@@ -8,6 +8,7 @@
 #include "app/inputs.h"
 #include "app/options.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "document/animation.h"
 #include "document/document_state.h"
 #include "files/export.h"
@@ -62,15 +63,15 @@ void split_name(Share& share) {
 document::SharedShape shape_of(const Share& share, const std::vector<document::NamedShape>& shapes) {
   if (share.name.empty() && shapes.size() == 1) return shapes.front().shape;
   constexpr std::size_t most = 12;
-  std::string names;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (shapes[i].name == share.name) return shapes[i].shape;
-    if (i < most) names += (names.empty() ? "" : ", ") + shapes[i].name;
+  std::vector<std::string> names;
+  for (const document::NamedShape& shape : shapes) {
+    if (shape.name == share.name) return shape.shape;
+    names.push_back(shape.name);
   }
   throw base::Error(
       share.file.string(),
       share.name.empty() ? "it contains several shapes" : "it contains no shape named " + share.name,
-      "append one of these names after a colon: " + names + (shapes.size() > most ? " ..." : ""));
+      "append one of these names after a colon: " + base::joined(names, ", ", most));
 }
 
 std::vector<std::string> write_mix(MixOptions options) {

@@ -67,7 +67,7 @@ CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t 
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
   return option->option_text("WORD")->check([words](const std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    return "needs " + listed(words) + ", not " + text + suggestion(text, words);
+    return "needs " + base::listed(words) + ", not " + text + suggestion(text, words);
   });
 }
 
@@ -85,7 +85,7 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   for (const sym3::Method m : analysis::compared_methods) words.emplace_back(sym3::name(m));
   auto* option = app.add_option_function<std::string>(
       "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); },
-      "Matrix exponential: " + listed(words));
+      "Matrix exponential: " + base::listed(words));
   one_of(option, words)->default_str("fast");
 }
 
@@ -224,15 +224,6 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
   return best;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += names[i];
-  }
-  return text;
-}
-
 std::string help_line(const std::string& name, const std::string& text) {
   constexpr std::size_t text_column = 26;
   std::string out = "  " + name;
@@ -369,9 +360,7 @@ std::string unknown(const CLI::App& command, const std::vector<std::string>& wor
            suggestion(first.substr(0, first.find('=')), option_names(command));
   if (const auto names = command_names(command); !names.empty())
     return name_of_command(command) + " has no command " + first + suggestion(first, names);
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-  return "unexpected arguments of " + name_of_command(command) + ": " + all;
+  return "unexpected arguments of " + name_of_command(command) + ": " + base::joined(words, " ");
 }
 
 }  // namespace
@@ -399,7 +388,7 @@ std::string usage_error(const CLI::App& app, const CLI::Error& error) {
     text = unknown(command, words);
   } else if (const auto names = command_names(command);
              !names.empty() && error.get_name() == "RequiredError") {
-    text = name_of_command(command) + " needs one of " + listed(names);
+    text = name_of_command(command) + " needs one of " + base::listed(names);
   } else if (error.get_name() == "ArgumentMismatch") {
     text = wrong_count(text);
   }

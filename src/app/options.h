@@ -76,9 +76,6 @@ std::size_t misspellings(std::string_view a, std::string_view b);
 /// the word, if the word begins with the name, or if the edit distance is small.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
-/// Lists names as "a", "a or b", or "a, b or c".
-std::string listed(const std::vector<std::string>& names);
-
 /// One entry of a list in the help, wrapped to 80 columns, with a line break at the end.
 std::string help_line(const std::string& name, const std::string& text);
 /// Adds examples at the end of a command's help.

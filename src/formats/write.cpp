@@ -76,11 +76,9 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   std::vector<std::string> names, notes;
   if (content.attributes) names = names_of_left_out(format, content.surface, *content.attributes, deformed);
   if (original) std::ranges::move(original->beyond_attributes(), std::back_inserter(names));
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
   if (!names.empty())
-    notes.push_back("left out of the " + std::string(format.name) + " file: " + TextWriter::one_line(list) +
-                    (names.size() > most ? " ..." : ""));
+    notes.push_back("left out of the " + std::string(format.name) +
+                    " file: " + TextWriter::one_line(base::joined(names, ", ", most)));
   if (!format.holds(held::polygons) && !content.surface.triangles.empty())
     tell_triangles(content.surface, notes);
   return notes;
@@ -93,16 +91,6 @@ Attributes converted(const Format& format, const Content& content, const Origina
   if (content.attributes) now = deformed_attributes(content.surface, content.positions, *content.attributes);
   notes = left_out(format, content, now, original);
   return now;
-}
-
-std::string list_of_names(const std::set<std::string>& names) {
-  std::string list;
-  std::size_t left = 8;
-  for (const std::string& name : names) {
-    if (left-- == 0) return list + " ...";
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list;
 }
 
 // Copies external files to the folder of the new file. Adds the copies to `written`. Does not copy files
@@ -131,7 +119,8 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
   }
   std::vector<std::string> notes;
   const auto tell = [&](const char* what, const std::set<std::string>& names) {
-    if (!names.empty()) notes.push_back(what + list_of_names(names));
+    const std::vector<std::string> all(names.begin(), names.end());
+    if (!all.empty()) notes.push_back(what + base::joined(all, ", ", 8));
   };
   tell("copied files to which the model refers: ", copied);
   tell("not copied, because different files with these names exist: ", others);
