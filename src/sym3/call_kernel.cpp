@@ -1,11 +1,10 @@
-// Runs batches in chunks, and calls the kernels for single items and for batches.
-#include "sym3/batch.h"
+#include "sym3/call_kernel.h"
 
 #include <algorithm>
 #include <cassert>
 #include <type_traits>
 
-#include "sym3/call_kernel.h"
+#include "sym3/batch.h"
 #include "sym3/derivative.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/log.h"
