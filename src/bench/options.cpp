@@ -8,7 +8,6 @@
 #include "app/options.h"
 #include "base/memory.h"
 #include "base/text.h"
-#include "bench/accuracy.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"

@@ -11,7 +11,6 @@
 #include "base/memory.h"
 #include "bench/ensembles.h"
 #include "bench/exp.h"
-#include "bench/matrix_array.h"
 #include "bench/table.h"
 #include "deform/maps.h"
 #include "sym3/derivative.h"
