@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bound.h"
+#include "app/view_model.h"
 #include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/options.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <system_error>
-#include <utility>
 
 #include "app/child_process.h"
 #include "base/atomic_file.h"

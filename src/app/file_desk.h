@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/autosave.h"
-#include "app/bound.h"
+#include "app/view_model.h"
 #include "app/model_layer.h"
 #include "base/background.h"
 #include "base/progress.h"

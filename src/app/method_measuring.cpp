@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "base/clock.h"
 #include "base/median.h"
 #include "base/worker_pool.h"
 #include "deform/scheme.h"

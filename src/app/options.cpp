@@ -1,6 +1,5 @@
 #include "app/options.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,6 @@
 #include "app/panel_results.h"
 
 #include <numbers>
-#include <string>
-#include <vector>
 
 #include "base/memory.h"
 #include "deform/vertex_sample.h"

@@ -7,17 +7,42 @@
 #include <string>
 #include <utility>
 
-#include "app/bound.h"
 #include "base/background.h"
+#include "base/progress.h"
 #include "base/worker_pool.h"
+#include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/probe.h"
+#include "deform/stitching.h"
 #include "document/document.h"
 #include "mesh/adjacency.h"
+#include "mesh/drawing.h"
 #include "sym3/rotation.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {
+
+/// A model bound to a cage: the input of a deformer.
+struct Bound {
+  std::shared_ptr<const mesh::Surface> model;
+  std::shared_ptr<const deform::Cage> cage;
+  std::shared_ptr<const deform::Binding> binding;
+  std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme is bound
+  std::shared_ptr<const deform::Binding> draft{};        ///< binding of the model's draft, or null
+
+  bool stitches(const deform::Scheme& scheme) const { return stitching && stitching->serves(scheme); }
+  /// True if this is a binding of the document's model to the document's cage, with any weights.
+  bool binds(const document::Document& document) const {
+    return binding && model == document.model().surface && cage == document.cage();
+  }
+};
+
+/// Binds the model for the engines of this scheme and method. Reuses parts of `known` with the same input.
+/// Also binds the draft if there is one. Throws base::Error if memory is insufficient, base::Cancelled if
+/// cancelled. Thread-safe.
+Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
+           const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress,
+           const std::shared_ptr<const mesh::Draft>& draft = nullptr);
 
 /// True if a drag changes the cage's rest shape. During this drag, the model does not change.
 inline bool changes_rest(const workspace::Workspace& w) {

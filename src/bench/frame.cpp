@@ -6,19 +6,14 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/median.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "bench/models.h"
 #include "bench/reference_frame.h"
-#include "bench/table.h"
 #include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/surface_weights.h"

@@ -1,6 +1,5 @@
 #include "formats/file_vectors.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <deque>
@@ -8,8 +7,6 @@
 #include <span>
 
 #include "base/error.h"
-#include "formats/text_writer.h"
-#include "mesh/normals.h"
 
 namespace viete::formats {
 

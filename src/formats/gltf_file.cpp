@@ -9,7 +9,6 @@
 #include "base/encoding.h"
 #include "base/error.h"
 #include "formats/byte_order.h"
-#include "formats/source.h"
 
 namespace viete::formats {
 

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -17,7 +16,6 @@
 #include "base/text.h"
 #include "formats/attributes.h"
 #include "formats/codecs.h"
-#include "formats/gltf_file.h"
 #include "formats/gltf_morphs.h"
 #include "formats/text_writer.h"
 #include "mesh/normals.h"

@@ -10,7 +10,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/text_cursor.h"
 
 namespace viete::formats {
 

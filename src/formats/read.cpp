@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "formats/codecs.h"
 #include "formats/format_table.h"
-#include "formats/source.h"
 
 namespace viete::formats {
 

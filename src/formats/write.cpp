@@ -11,7 +11,6 @@
 #include "formats/attributes.h"
 #include "formats/codecs.h"
 #include "formats/format_table.h"
-#include "formats/text_writer.h"
 
 namespace viete::formats {
 
