@@ -5,10 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
-#include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/text.h"

@@ -15,11 +15,13 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
+namespace {
+
 fs::path assets_folder() {
   std::vector<fs::path> places;
   if (const char* named = std::getenv("VIETE_ASSETS")) places.emplace_back(named);
   places.push_back(program_folder() / ".." / "share" / "viete");
-  places.emplace_back(source_assets());
+  places.emplace_back(VIETE_SOURCE_ASSETS);
   std::vector<std::string> looked;
   for (const auto& place : places) {
     std::error_code ignored;
@@ -29,18 +31,6 @@ fs::path assets_folder() {
   throw base::Error("dragon/dragon.ply", "the bundled model was not found in " + base::joined(looked),
                     "set VIETE_ASSETS to the folder that contains dragon/, or open another model");
 }
-
-BundledModel bundled_model() {
-  const fs::path folder = assets_folder() / "dragon";
-  BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}, folder / "loop.viete"};
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename().string().starts_with("pose_")) bundled.poses.push_back(entry.path());
-  }
-  std::sort(bundled.poses.begin(), bundled.poses.end());
-  return bundled;
-}
-
-namespace {
 
 fs::path manual_folder() {
   std::error_code ignored;
@@ -63,6 +53,16 @@ std::string chapters_in(const fs::path& folder) {
 
 }  // namespace
 
+BundledModel bundled_model() {
+  const fs::path folder = assets_folder() / "dragon";
+  BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}, folder / "loop.viete"};
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with("pose_")) bundled.poses.push_back(entry.path());
+  }
+  std::sort(bundled.poses.begin(), bundled.poses.end());
+  return bundled;
+}
+
 fs::path manual_page(const std::string& chapter) {
   const fs::path folder = manual_folder(), page = folder / ((chapter.empty() ? "index" : chapter) + ".html");
   std::error_code ignored;
@@ -77,10 +77,6 @@ const char* version() {
 
 const char* build_type() {
   return VIETE_BUILD_TYPE;
-}
-
-const char* source_assets() {
-  return VIETE_SOURCE_ASSETS;
 }
 
 }  // namespace viete::app

@@ -5,9 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/autosave.h"
-#include "app/view_model.h"
 #include "app/model_layer.h"
+#include "app/view_model.h"
 #include "base/background.h"
 #include "base/progress.h"
 #include "files/animation_export.h"

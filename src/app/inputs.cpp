@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/command_line.h"
-#include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/format_table.h"

@@ -4,9 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "document/animation.h"

@@ -48,6 +48,20 @@ CLI::Option* limit(CLI::Option* option, Number low, Number high, const std::stri
   });
 }
 
+// One entry of a list in the help, wrapped to 80 columns, with a line break at the end.
+std::string help_line(const std::string& name, const std::string& text) {
+  constexpr std::size_t text_column = 26;
+  std::string out = "  " + name;
+  if (text.empty()) return out + '\n';
+  if (out.size() + 2 > text_column) {
+    out += '\n';
+    out.append(text_column, ' ');
+  } else {
+    out.resize(text_column, ' ');
+  }
+  return out + wrapped(text, text_column, text_column) + '\n';
+}
+
 }  // namespace
 
 CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::filesystem::path& file,
@@ -223,19 +237,6 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
   return best;
 }
 
-std::string help_line(const std::string& name, const std::string& text) {
-  constexpr std::size_t text_column = 26;
-  std::string out = "  " + name;
-  if (text.empty()) return out + '\n';
-  if (out.size() + 2 > text_column) {
-    out += '\n';
-    out.append(text_column, ' ');
-  } else {
-    out.resize(text_column, ' ');
-  }
-  return out + wrapped(text, text_column, text_column) + '\n';
-}
-
 void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
   std::string text = "Examples:";
   for (const std::string& line : lines) text += "\n  viete " + line;
@@ -270,6 +271,11 @@ std::string text_of(const CLI::Option& option) {
   std::string text = option.get_description();
   if (!option.get_default_str().empty()) text += " (default: " + option.get_default_str() + ")";
   return text;
+}
+
+// The command parsed so far, for example "viete bench exp".
+std::string name_of_command(const CLI::App& app) {
+  return app.get_parent() ? name_of_command(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
 // For example " MODEL [CAGE] -o FILE [OPTIONS]".
@@ -366,10 +372,6 @@ std::string unknown(const CLI::App& command, const std::vector<std::string>& wor
 
 std::shared_ptr<CLI::FormatterBase> help_formatter() {
   return std::make_shared<HelpFormatter>();
-}
-
-std::string name_of_command(const CLI::App& app) {
-  return app.get_parent() ? name_of_command(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {

@@ -8,9 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "deform/example_posing.h"

@@ -9,11 +9,9 @@
 
 #include "app/assets.h"
 #include "app/autosave.h"
-#include "app/command_line.h"
 #include "app/file_desk.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
-#include "app/options.h"
 #include "app/viewer.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"

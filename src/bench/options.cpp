@@ -5,7 +5,6 @@
 
 #include "app/assets.h"
 #include "app/inputs.h"
-#include "app/options.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "bench/exp.h"

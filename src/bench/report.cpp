@@ -7,9 +7,7 @@
 #include <string>
 
 #include "app/assets.h"
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"

@@ -332,11 +332,6 @@ Matrix exp_taylor(const Matrix& m) {
           z0 + z1 * m.yy + z2 * c.yy, z1 * m.yz + z2 * c.yz, z0 + z1 * m.zz + z2 * c.zz};
 }
 
-Real mean_of_diagonal(const Sym3<double>& s) {
-  const Real third = Real{1, 0} / Real{3, 0};
-  return (Real{s.xx, 0} + Real{s.yy, 0} + Real{s.zz, 0}) * third;
-}
-
 /// Returns m * 2^n. Multiplies in four steps, because 2^n as one factor may overflow.
 Matrix times_power(Matrix m, int n) {
   const int quarter = n / 4;
@@ -357,16 +352,13 @@ double frobenius(const Sym3<double>& s) {
   return std::sqrt(s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz));
 }
 
-Matrix traceless(const Sym3<double>& s, const Real& mean) {
-  return {Real{s.xx, 0} - mean, Real{s.xy, 0}, Real{s.xz, 0},
-          Real{s.yy, 0} - mean, Real{s.yz, 0}, Real{s.zz, 0} - mean};
-}
-
 /// Returns exp(S - top I), where `top` is about the largest eigenvalue. The result has a norm of about 1, so
 /// squaring cannot overflow.
 Matrix exp_below(const Sym3<double>& s, double top) {
-  const Real mean = mean_of_diagonal(s);
-  const Matrix a = traceless(s, mean);
+  const Real third = Real{1, 0} / Real{3, 0};
+  const Real mean = (Real{s.xx, 0} + Real{s.yy, 0} + Real{s.zz, 0}) * third;
+  const Matrix a = {Real{s.xx, 0} - mean, Real{s.xy, 0}, Real{s.xz, 0},
+                    Real{s.yy, 0} - mean, Real{s.yz, 0}, Real{s.zz, 0} - mean};
   const double norm = frobenius({a.xx.hi, s.xy, s.xz, a.yy.hi, s.yz, a.zz.hi});
   const int squarings = std::max(0, std::ilogb(std::max(norm, 0.5)) + 1);
   const double scale = std::ldexp(1.0, -squarings);
