@@ -81,6 +81,8 @@ int run(const Program& program, std::vector<std::string> arguments) {
   return finished(action());
 }
 
+constexpr const char* clear_line = "\r\x1B[K";
+
 }  // namespace
 
 int run_program(int argc, char** argv, const Program& program) {
@@ -94,12 +96,6 @@ int run_program(int argc, char** argv, const Program& program) {
     return exit_failed;
   }
 }
-
-namespace {
-
-constexpr const char* clear_line = "\r\x1B[K";
-
-}  // namespace
 
 TerminalProgress::TerminalProgress(std::string what)
     : what_(std::move(what)),

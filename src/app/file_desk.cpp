@@ -58,20 +58,6 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
   return loaded;
 }
 
-}  // namespace
-
-void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
-                   std::size_t moving) {
-  const auto& files = request.files;
-  loader.start([request, current = current.without_history(),
-                moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
-               "Reading " + (files.empty() ? "" : files.front().filename().string()));
-}
-
-namespace fs = std::filesystem;
-
-namespace {
-
 // A temporary folder. The destructor deletes the folder with its contents.
 class ScratchFolder {
 public:
@@ -95,7 +81,21 @@ private:
   fs::path path_;
 };
 
+fs::path recovery_folder(const fs::path& state) {
+  return state.empty() ? state : state / "recovery";
+}
+
 }  // namespace
+
+void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
+                   std::size_t moving) {
+  const auto& files = request.files;
+  loader.start([request, current = current.without_history(),
+                moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
+               "Reading " + (files.empty() ? "" : files.front().filename().string()));
+}
+
+namespace fs = std::filesystem;
 
 std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
@@ -192,14 +192,6 @@ std::optional<Exporter::Failure> Exporter::follow(workspace::Messages& messages,
 
 namespace fs = std::filesystem;
 using Kind = workspace::Question::Kind;
-
-namespace {
-
-fs::path recovery_folder(const fs::path& state) {
-  return state.empty() ? state : state / "recovery";
-}
-
-}  // namespace
 
 fs::path preferences_file(const fs::path& state) {
   return state / "remembered.json";

@@ -23,6 +23,49 @@ bool is_in_motion(const workspace::Workspace& w) {
   return w.view.interaction.drag || w.playback.playing || w.jobs.working();
 }
 
+using analysis::compared_methods;
+
+constexpr std::size_t timed_rounds = 5, busy_rounds = 15;  // the second if the computer is busy
+// A measurement computes missing weights of the staged engine only if they need at most this many bytes.
+constexpr double most_weight_bytes = 256.0 * (1 << 20);
+
+bool lacks_small_weights(const FrameInput& timed) {
+  const deform::Binding& binding = *timed.bound.binding;
+  return binding.weights.empty() &&
+         deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged &&
+         8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
+             most_weight_bytes;
+}
+
+using TimedFrames = std::array<std::vector<workspace::FrameTimes>, workspace::MethodTimes::fused + 1>;
+
+// Stores the medians. Returns true if the computer was busy.
+bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
+  times.busy = false;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].empty()) continue;
+    const workspace::FrameTimes median = workspace::median_of(frames[i]);
+    times.links[i] = median.links;
+    times.busy |= median.busy;
+  }
+  return times.busy;
+}
+
+constexpr int rounds = 5;
+constexpr std::size_t method_count = analysis::compared_methods.size();
+using Matrix = sym3::Sym3<double>;
+
+workspace::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
+  std::vector<double> errors(matrices.size());
+  for (std::size_t i = 0; i < matrices.size(); ++i)
+    errors[i] = sym3::relative_error(computed[i], matrices[i]);
+  workspace::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
+  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
+  sample.worst_error = std::ranges::max(errors);
+  sample.median_error = base::median(std::move(errors));
+  return sample;
+}
+
 }  // namespace
 
 MethodMeasuring::Key MethodMeasuring::key_of(const workspace::Workspace& w, const LiveModel& model) {
@@ -149,38 +192,6 @@ void MethodMeasuring::finish(workspace::Workspace& w, LiveModel& model) {
   follow(w, model, false);
 }
 
-namespace {
-
-using analysis::compared_methods;
-
-constexpr std::size_t timed_rounds = 5, busy_rounds = 15;  // the second if the computer is busy
-// A measurement computes missing weights of the staged engine only if they need at most this many bytes.
-constexpr double most_weight_bytes = 256.0 * (1 << 20);
-
-bool lacks_small_weights(const FrameInput& timed) {
-  const deform::Binding& binding = *timed.bound.binding;
-  return binding.weights.empty() &&
-         deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged &&
-         8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
-             most_weight_bytes;
-}
-
-using TimedFrames = std::array<std::vector<workspace::FrameTimes>, workspace::MethodTimes::fused + 1>;
-
-// Stores the medians. Returns true if the computer was busy.
-bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
-  times.busy = false;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (frames[i].empty()) continue;
-    const workspace::FrameTimes median = workspace::median_of(frames[i]);
-    times.links[i] = median.links;
-    times.busy |= median.busy;
-  }
-  return times.busy;
-}
-
-}  // namespace
-
 MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   if (lacks_small_weights(timed))
     timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
@@ -213,25 +224,6 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   take_medians(frames, result.times);
   return result;
 }
-
-namespace {
-
-constexpr int rounds = 5;
-constexpr std::size_t method_count = analysis::compared_methods.size();
-using Matrix = sym3::Sym3<double>;
-
-workspace::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
-  std::vector<double> errors(matrices.size());
-  for (std::size_t i = 0; i < matrices.size(); ++i)
-    errors[i] = sym3::relative_error(computed[i], matrices[i]);
-  workspace::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
-  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
-  sample.worst_error = std::ranges::max(errors);
-  sample.median_error = base::median(std::move(errors));
-  return sample;
-}
-
-}  // namespace
 
 workspace::MethodStats measure_methods(std::span<const Matrix> matrices) {
   workspace::MethodStats stats;

@@ -112,6 +112,13 @@ void print_missing(const workspace::Workspace& w) {
       if (!problem.empty()) throw base::Error("", problem);
 }
 
+// Quotes a word for the shell.
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 }  // namespace
 
 std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files::Opened&& opened) {
@@ -178,17 +185,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 }
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// Quotes a word for the shell.
-std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
-
-}  // namespace
 
 std::string ffmpeg_command(const PictureRun& run) {
   const std::string pattern = base::NumberedName(fs::absolute(run.file)).pattern();

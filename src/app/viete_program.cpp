@@ -100,14 +100,6 @@ void add_commands(CLI::App& app, Action& action) {
   app.add_subcommand("report", report_text);
 }
 
-}  // namespace
-
-Program viete_program() {
-  return {add_commands, with_command};
-}
-
-namespace {
-
 bool has_display() {
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
     const char* const value = std::getenv(name);
@@ -124,6 +116,10 @@ int show_manual(const std::string& chapter) {
 }
 
 }  // namespace
+
+Program viete_program() {
+  return {add_commands, with_command};
+}
 
 void add_manual_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("manual", "Open the manual in the browser");

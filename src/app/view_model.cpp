@@ -39,6 +39,23 @@ std::shared_ptr<const deform::Binding> bind_draft(const std::shared_ptr<const me
   return std::make_shared<const deform::Binding>(deform::with_tiles(surface, cage, std::move(tiles)));
 }
 
+// Returns the matrix, or only its rotation if the matrix is nearly singular, because drags invert the matrix.
+sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
+  constexpr double flattest = 0.05;
+  const auto [rotation, stretch] = sym3::polar(map);
+  const auto [least, middle, largest] = sym3::eigenvalues(stretch);
+  return least > flattest * largest ? map : rotation;
+}
+
+// The document's pose with the other interpolation (linear or log space), or null on an error.
+document::SharedPose other_pose(workspace::Workspace& w) {
+  try {
+    return workspace::pose_by_other_blending(w);
+  } catch (const base::Error&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
@@ -72,18 +89,6 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
   base::release_freed_memory();
   return bound;
 }
-
-namespace {
-
-// Returns the matrix, or only its rotation if the matrix is nearly singular, because drags invert the matrix.
-sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
-  constexpr double flattest = 0.05;
-  const auto [rotation, stretch] = sym3::polar(map);
-  const auto [least, middle, largest] = sym3::eigenvalues(stretch);
-  return least > flattest * largest ? map : rotation;
-}
-
-}  // namespace
 
 LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_ptr<const mesh::Draft>& draft,
                                      Bound known) {
@@ -301,19 +306,6 @@ mesh::Point LiveModel::vertex(const document::Document& document, std::size_t in
   const auto& p = deformer_->vertices()[index].position;
   return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
 }
-
-namespace {
-
-// The document's pose with the other interpolation (linear or log space), or null on an error.
-document::SharedPose other_pose(workspace::Workspace& w) {
-  try {
-    return workspace::pose_by_other_blending(w);
-  } catch (const base::Error&) {
-    return nullptr;
-  }
-}
-
-}  // namespace
 
 SideModel::Made SideModel::made_of(const workspace::SplitView& side, const workspace::Workspace& w) {
   const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method};

@@ -46,6 +46,20 @@ private:
   deform::LogSpace::Work work_;
 };
 
+std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base::Progress& progress) {
+  ModelOptions options;
+  options.model = figures.files.model;
+  if (in_own_cage) options.cage = figures.files.cage;
+  options.faces = figures.sizes.faces;
+  options.rounds = figures.sizes.rounds;
+  return measure_frames(options, progress);
+}
+
+ModeComparison ways_of(const Figures& figures, const document::Document& opened, base::Progress& progress) {
+  const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
+  return measure_modes(*opened.model().surface, opened.cage(), figures.poses, settings, progress);
+}
+
 }  // namespace
 
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
@@ -108,24 +122,6 @@ Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
 std::string name_of_shape(const nlohmann::json& row) {
   return without_prefix(row["name"], "shape_");
 }
-
-namespace {
-
-std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base::Progress& progress) {
-  ModelOptions options;
-  options.model = figures.files.model;
-  if (in_own_cage) options.cage = figures.files.cage;
-  options.faces = figures.sizes.faces;
-  options.rounds = figures.sizes.rounds;
-  return measure_frames(options, progress);
-}
-
-ModeComparison ways_of(const Figures& figures, const document::Document& opened, base::Progress& progress) {
-  const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
-  return measure_modes(*opened.model().surface, opened.cage(), figures.poses, settings, progress);
-}
-
-}  // namespace
 
 ReportSizes quick_sizes() {
   return {400'000, 256, {50, 300}, 3};

@@ -270,69 +270,6 @@ nlohmann::json to_json(const FrameTime& t) {
   return json;
 }
 
-}  // namespace
-
-std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress) {
-  const BenchModel opened(options);
-  std::vector<FrameTime> all;
-  const std::size_t fewer = std::max<std::size_t>(1, opened.model.positions.size() / 50'000);
-  for (std::size_t i = 0; i < opened.cages.size(); ++i) {
-    const auto total = static_cast<double>(opened.cages.size());
-    progress.section(static_cast<double>(i) / total, static_cast<double>(i + 1) / total);
-    FrameRuns runs(opened.model, opened.cages[i]);
-    runs.run(std::max<std::size_t>(3, options.rounds / fewer), progress);
-    const auto times = runs.times();
-    all.insert(all.end(), times.begin(), times.end());
-  }
-  return all;
-}
-
-void check_frame(std::span<const FrameTime> times, Bars& bars) {
-  for (const RatioBar& r : ratio_bars) {
-    const auto *over = frame_of(times, r.over, r.over_faces),
-               *under = frame_of(times, r.under, r.under_faces, r.threaded);
-    if (over && under)
-      bars.check(
-          at(r.over, r.over_faces) + " / " + at(r.under, r.under_faces) + (r.threaded ? ", all threads" : ""),
-          over->cpu_ms / under->cpu_ms, r.bar, r.at_least);
-  }
-  for (const auto& [name, bar] :
-       {std::pair{dense, 1e-6}, {dragged, 2e-5}, {staged_fast, 1e-13}, {compressed, 2e-5}}) {
-    double error = -1;
-    for (const FrameTime& t : times)
-      if (t.name == name) error = std::fmax(error, t.error);
-    if (error >= 0) bars.check(std::string(name) + ": error in diagonals", error, bar, false);
-  }
-  const auto *full = frame_of(times, dense, 300), *small = frame_of(times, compressed, 300);
-  if (full && small)
-    bars.check("bytes, compressed / dense, 300 faces",
-               static_cast<double>(small->bytes) / static_cast<double>(full->bytes), 0.25, false);
-}
-
-nlohmann::json to_json(std::span<const FrameTime> times) {
-  nlohmann::json results = nlohmann::json::array();
-  for (const FrameTime& t : times) results.push_back(to_json(t));
-  return results;
-}
-
-void bench_frame(const ModelOptions& options) {
-  std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
-  base::Progress progress;
-  const std::vector<FrameTime> all = measure_frames(options, progress);
-  for (std::span<const FrameTime> rest = all; !rest.empty();) {
-    const auto faces = rest.front().faces;
-    const auto end = std::ranges::find_if(rest, [&](const FrameTime& t) { return t.faces != faces; });
-    const auto count = static_cast<std::size_t>(end - rest.begin());
-    print(rest.first(count));
-    rest = rest.subspan(count);
-  }
-  Bars bars;
-  if (options.cage.empty()) check_frame(all, bars);
-  write_json(options.json, {{"figure", "frame"}, {"results", to_json(all)}, {"bars", bars.rows}});
-}
-
-namespace {
-
 constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform::Weights::mean_value},
     harmonics{deform::Elements::face, deform::Weights::harmonic},
     biharmonics{deform::Elements::face, deform::Weights::biharmonic};
@@ -420,6 +357,65 @@ void check(const BindRuns& runs, const std::vector<BenchResult>& results, Bars& 
 }
 
 }  // namespace
+
+std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress) {
+  const BenchModel opened(options);
+  std::vector<FrameTime> all;
+  const std::size_t fewer = std::max<std::size_t>(1, opened.model.positions.size() / 50'000);
+  for (std::size_t i = 0; i < opened.cages.size(); ++i) {
+    const auto total = static_cast<double>(opened.cages.size());
+    progress.section(static_cast<double>(i) / total, static_cast<double>(i + 1) / total);
+    FrameRuns runs(opened.model, opened.cages[i]);
+    runs.run(std::max<std::size_t>(3, options.rounds / fewer), progress);
+    const auto times = runs.times();
+    all.insert(all.end(), times.begin(), times.end());
+  }
+  return all;
+}
+
+void check_frame(std::span<const FrameTime> times, Bars& bars) {
+  for (const RatioBar& r : ratio_bars) {
+    const auto *over = frame_of(times, r.over, r.over_faces),
+               *under = frame_of(times, r.under, r.under_faces, r.threaded);
+    if (over && under)
+      bars.check(
+          at(r.over, r.over_faces) + " / " + at(r.under, r.under_faces) + (r.threaded ? ", all threads" : ""),
+          over->cpu_ms / under->cpu_ms, r.bar, r.at_least);
+  }
+  for (const auto& [name, bar] :
+       {std::pair{dense, 1e-6}, {dragged, 2e-5}, {staged_fast, 1e-13}, {compressed, 2e-5}}) {
+    double error = -1;
+    for (const FrameTime& t : times)
+      if (t.name == name) error = std::fmax(error, t.error);
+    if (error >= 0) bars.check(std::string(name) + ": error in diagonals", error, bar, false);
+  }
+  const auto *full = frame_of(times, dense, 300), *small = frame_of(times, compressed, 300);
+  if (full && small)
+    bars.check("bytes, compressed / dense, 300 faces",
+               static_cast<double>(small->bytes) / static_cast<double>(full->bytes), 0.25, false);
+}
+
+nlohmann::json to_json(std::span<const FrameTime> times) {
+  nlohmann::json results = nlohmann::json::array();
+  for (const FrameTime& t : times) results.push_back(to_json(t));
+  return results;
+}
+
+void bench_frame(const ModelOptions& options) {
+  std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
+  base::Progress progress;
+  const std::vector<FrameTime> all = measure_frames(options, progress);
+  for (std::span<const FrameTime> rest = all; !rest.empty();) {
+    const auto faces = rest.front().faces;
+    const auto end = std::ranges::find_if(rest, [&](const FrameTime& t) { return t.faces != faces; });
+    const auto count = static_cast<std::size_t>(end - rest.begin());
+    print(rest.first(count));
+    rest = rest.subspan(count);
+  }
+  Bars bars;
+  if (options.cage.empty()) check_frame(all, bars);
+  write_json(options.json, {{"figure", "frame"}, {"results", to_json(all)}, {"bars", bars.rows}});
+}
 
 void bench_bind(const ModelOptions& options) {
   const BenchModel opened(options);

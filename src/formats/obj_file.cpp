@@ -41,40 +41,6 @@ bool take_index(std::string_view& rest, std::int64_t& index) {
   return code == std::errc() && index != 0;
 }
 
-}  // namespace
-
-ObjWord small_obj_word(std::string_view word) {
-  if (word == "v") return vertex;
-  if (word == "f") return face;
-  if (word == "vt") return texture_point;
-  if (word == "vn") return normal;
-  for (const auto& [rarer, kind] : rarer_words) {
-    if (word == rarer) return kind;
-  }
-  return std::ranges::find(other_words, word) == std::end(other_words) ? unknown : other;
-}
-
-ObjWord obj_word(std::string_view word) {
-  const ObjWord found = small_obj_word(word);
-  if (found != unknown || word.size() > 10) return found;
-  return small_obj_word(lower_case(word));
-}
-
-ObjIndices obj_indices(std::string_view rest) {
-  ObjIndices indices;
-  if (rest.empty()) return indices;
-  rest.remove_prefix(1);
-  bool good = take_index(rest, indices.texture_point);
-  if (good && !rest.empty()) {
-    rest.remove_prefix(1);
-    indices.normal_word = rest;
-    good = take_index(rest, indices.normal) && rest.empty();
-  }
-  return good ? indices : ObjIndices{0, 0, {}, false};
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_library_bytes = 64 << 20;
@@ -182,6 +148,36 @@ std::vector<fs::path> library_paths(const fs::path& folder, std::string_view nam
 }
 
 }  // namespace
+
+ObjWord small_obj_word(std::string_view word) {
+  if (word == "v") return vertex;
+  if (word == "f") return face;
+  if (word == "vt") return texture_point;
+  if (word == "vn") return normal;
+  for (const auto& [rarer, kind] : rarer_words) {
+    if (word == rarer) return kind;
+  }
+  return std::ranges::find(other_words, word) == std::end(other_words) ? unknown : other;
+}
+
+ObjWord obj_word(std::string_view word) {
+  const ObjWord found = small_obj_word(word);
+  if (found != unknown || word.size() > 10) return found;
+  return small_obj_word(lower_case(word));
+}
+
+ObjIndices obj_indices(std::string_view rest) {
+  ObjIndices indices;
+  if (rest.empty()) return indices;
+  rest.remove_prefix(1);
+  bool good = take_index(rest, indices.texture_point);
+  if (good && !rest.empty()) {
+    rest.remove_prefix(1);
+    indices.normal_word = rest;
+    good = take_index(rest, indices.normal) && rest.empty();
+  }
+  return good ? indices : ObjIndices{0, 0, {}, false};
+}
 
 std::vector<MtlMaterial> read_mtl(const Source& source) {
   return MtlReader(source).read();

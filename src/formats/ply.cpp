@@ -428,53 +428,6 @@ private:
   std::vector<Group> groups_;
 };
 
-}  // namespace
-
-ReadResult read_ply(const Source& source) {
-  if (!looks_like_ply(source))
-    throw base::Error(source.name, "does not start with the word ply", "check the extension");
-  SurfaceBuilder builder(source);
-  TextCursor text(source, {});
-  const PlyHeader header = read_ply_header(text, source, builder);
-  PlyBody body(header, source, builder, {source, header, text});
-  Attributes found = body.read();
-  if (header.is_capture()) builder.warn(source.name + capture_note);
-  constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
-  ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
-  VectorFile file{"PLY",
-                  header.format == PlyHeader::Format::ascii,
-                  header.order(),
-                  body.take_vectors(),
-                  header.beyond_attributes(),
-                  {source.folder, {}}};
-  for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
-  file.is_capture = header.is_capture();
-  result.original = original_of(source, std::move(file));
-  if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
-  return result;
-}
-
-bool looks_like_ply(const Source& source) {
-  std::string_view bytes = source.bytes;
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // the UTF-8 byte order mark
-  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
-}
-
-bool is_certainly_ply(const Beginning& file) {
-  const Source source{"", "", file.bytes()};
-  if (!looks_like_ply(source)) return false;
-  TextCursor text(source, {});
-  bool has_format = false;
-  for (; text.next_filled_line(); text.next_line()) {
-    const std::string_view word = text.word();
-    has_format |= word == "format";
-    if (word == "end_header") return has_format;
-  }
-  return false;
-}
-
-namespace {
-
 // If any vertex has several texture points, writes texture points for faces, otherwise for vertices.
 class PlyOutput {
 public:
@@ -551,6 +504,49 @@ private:
 };
 
 }  // namespace
+
+ReadResult read_ply(const Source& source) {
+  if (!looks_like_ply(source))
+    throw base::Error(source.name, "does not start with the word ply", "check the extension");
+  SurfaceBuilder builder(source);
+  TextCursor text(source, {});
+  const PlyHeader header = read_ply_header(text, source, builder);
+  PlyBody body(header, source, builder, {source, header, text});
+  Attributes found = body.read();
+  if (header.is_capture()) builder.warn(source.name + capture_note);
+  constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
+  ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
+  VectorFile file{"PLY",
+                  header.format == PlyHeader::Format::ascii,
+                  header.order(),
+                  body.take_vectors(),
+                  header.beyond_attributes(),
+                  {source.folder, {}}};
+  for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
+  file.is_capture = header.is_capture();
+  result.original = original_of(source, std::move(file));
+  if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
+  return result;
+}
+
+bool looks_like_ply(const Source& source) {
+  std::string_view bytes = source.bytes;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // the UTF-8 byte order mark
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+}
+
+bool is_certainly_ply(const Beginning& file) {
+  const Source source{"", "", file.bytes()};
+  if (!looks_like_ply(source)) return false;
+  TextCursor text(source, {});
+  bool has_format = false;
+  for (; text.next_filled_line(); text.next_line()) {
+    const std::string_view word = text.word();
+    has_format |= word == "format";
+    if (word == "end_header") return has_format;
+  }
+  return false;
+}
 
 void write_ply(const Content& content, TextWriter& out) {
   out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", content.comments);

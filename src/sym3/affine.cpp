@@ -87,32 +87,6 @@ Mat3<double> by_rows(const std::array<Vec3<double>, 3>& m) {
   return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
 }
 
-}  // namespace
-
-Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& y) {
-  const double share = kept(log, y);
-  Mat3<double> e{};
-  if (share > 1e-9) {
-    const Mat3<double> inverse =
-        by_rows(solved<3>(by_rows(Phi(log).rows()), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
-    e = times(share, plus(inverse, 0.5, log));
-  }
-  return share < 1 ? plus(e, 1 - share, projector(y)) : e;
-}
-
-Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
-  return Phi(log) * x;
-}
-
-Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x) {
-  if (kept(log, turn) < 1) return plus(product(even_part(log, turn), x), -0.5, product(log, x));
-  const auto solution = solved<1>(by_rows(Phi(log).rows()), {{{x[0]}, {x[1]}, {x[2]}}});
-  const Vec3<double> w{solution[0][0], solution[1][0], solution[2][0]};
-  return std::isfinite(w[0] + w[1] + w[2]) ? w : times(-0.5, product(log, x));
-}
-
-namespace {
-
 // Returns A^-1 B.
 Affine from(const Affine& a, const Affine& b) {
   std::array<std::array<double, 4>, 3> rows;
@@ -168,6 +142,28 @@ AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
 }
 
 }  // namespace
+
+Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& y) {
+  const double share = kept(log, y);
+  Mat3<double> e{};
+  if (share > 1e-9) {
+    const Mat3<double> inverse =
+        by_rows(solved<3>(by_rows(Phi(log).rows()), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));
+    e = times(share, plus(inverse, 0.5, log));
+  }
+  return share < 1 ? plus(e, 1 - share, projector(y)) : e;
+}
+
+Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
+  return Phi(log) * x;
+}
+
+Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x) {
+  if (kept(log, turn) < 1) return plus(product(even_part(log, turn), x), -0.5, product(log, x));
+  const auto solution = solved<1>(by_rows(Phi(log).rows()), {{{x[0]}, {x[1]}, {x[2]}}});
+  const Vec3<double> w{solution[0][0], solution[1][0], solution[2][0]};
+  return std::isfinite(w[0] + w[1] + w[2]) ? w : times(-0.5, product(log, x));
+}
 
 Affine operator*(const Affine& a, const Affine& b) {
   return {product(a.linear, b.linear), plus(product(a.linear, b.translation), 1, a.translation)};
