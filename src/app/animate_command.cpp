@@ -10,7 +10,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "files/animation_export.h"
 #include "files/animation_import.h"
 #include "formats/source.h"
 

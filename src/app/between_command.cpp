@@ -10,7 +10,6 @@
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/animation.h"
-#include "files/animation_export.h"
 #include "formats/point_cache.h"
 #include "formats/source.h"
 

@@ -18,11 +18,7 @@
 #include "app/view_model.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "base/worker_pool.h"
-#include "deform/deformer.h"
-#include "files/export.h"
 #include "formats/source.h"
-#include "formats/text_writer.h"
 
 namespace viete::app {
 

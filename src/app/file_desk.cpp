@@ -10,13 +10,14 @@
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
-#include "deform/binding.h"
-#include "document/document.h"
 #include "files/output.h"
 #include "formats/source.h"
 #include "workspace/saving.h"
 
 namespace viete::app {
+
+namespace fs = std::filesystem;
+using Kind = workspace::Question::Kind;
 
 namespace {
 
@@ -94,8 +95,6 @@ void start_loading(Loader& loader, const files::OpenRequest& request, const docu
                 moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
                "Reading " + (files.empty() ? "" : files.front().filename().string()));
 }
-
-namespace fs = std::filesystem;
 
 std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
@@ -189,9 +188,6 @@ std::optional<Exporter::Failure> Exporter::follow(workspace::Messages& messages,
   start_next();
   return failure;
 }
-
-namespace fs = std::filesystem;
-using Kind = workspace::Question::Kind;
 
 fs::path preferences_file(const fs::path& state) {
   return state / "remembered.json";

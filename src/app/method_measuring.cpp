@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/median.h"
-#include "base/worker_pool.h"
 #include "deform/scheme.h"
 #include "sym3/exp.h"
 #include "sym3/reference.h"
@@ -15,6 +14,9 @@ namespace viete::app {
 
 namespace {
 
+using analysis::compared_methods;
+using Matrix = sym3::Sym3<double>;
+
 constexpr std::size_t sampled_matrices = 2048;
 constexpr double sample_seconds = 0.3;     // shortest interval between samples; a sample takes a millisecond
 constexpr double pose_rest_seconds = 0.5;  // after this time without motion, all methods are timed
@@ -22,8 +24,6 @@ constexpr double pose_rest_seconds = 0.5;  // after this time without motion, al
 bool is_in_motion(const workspace::Workspace& w) {
   return w.view.interaction.drag || w.playback.playing || w.jobs.working();
 }
-
-using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5, busy_rounds = 15;  // the second if the computer is busy
 // A measurement computes missing weights of the staged engine only if they need at most this many bytes.
@@ -50,10 +50,6 @@ bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
   }
   return times.busy;
 }
-
-constexpr int rounds = 5;
-constexpr std::size_t method_count = analysis::compared_methods.size();
-using Matrix = sym3::Sym3<double>;
 
 workspace::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
   std::vector<double> errors(matrices.size());
@@ -173,8 +169,8 @@ bool MethodMeasuring::take_times(workspace::Workspace& w, LiveModel& model, bool
 void MethodMeasuring::show_drawn_times(workspace::Workspace& w, const LiveModel& model) const {
   const auto frame = w.view.split.views[0].stats.deforming_median();
   if (!frame || (w.frame.method_times.measured && timed_ == model.frames())) return;
-  const auto& methods = analysis::compared_methods;
-  auto running = static_cast<std::size_t>(std::ranges::find(methods, frame->method) - methods.begin());
+  const auto found = std::ranges::find(compared_methods, frame->method);
+  auto running = static_cast<std::size_t>(found - compared_methods.begin());
   if (engine_ == deform::EngineKind::fused) running = workspace::MethodTimes::fused;
   w.frame.method_times.links[running] = frame->links;
   w.frame.method_times.busy = frame->busy;
@@ -229,16 +225,16 @@ workspace::MethodStats measure_methods(std::span<const Matrix> matrices) {
   workspace::MethodStats stats;
   if (matrices.empty()) return stats;
   std::vector<Matrix> out(matrices.size());
-  std::array<std::vector<double>, method_count> seconds;
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t m = 0; m < method_count; ++m) {
+  std::array<std::vector<double>, compared_methods.size()> seconds;
+  for (std::size_t round = 0; round < timed_rounds; ++round) {
+    for (std::size_t m = 0; m < seconds.size(); ++m) {
       const double start = base::thread_seconds();
-      sym3::exp<double>(matrices, out, analysis::compared_methods[m]);
+      sym3::exp<double>(matrices, out, compared_methods[m]);
       seconds[m].push_back(base::thread_seconds() - start);
       if (round == 0) stats.samples[m] = errors_of(out, matrices);
     }
   }
-  for (std::size_t m = 0; m < method_count; ++m)
+  for (std::size_t m = 0; m < seconds.size(); ++m)
     stats.samples[m].ns_per_matrix = 1e9 * base::median(seconds[m]) / static_cast<double>(matrices.size());
   stats.matrices = matrices.size();
   return stats;

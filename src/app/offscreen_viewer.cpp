@@ -10,7 +10,6 @@
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/pose_edit.h"
-#include "files/animation_export.h"
 #include "workspace/apply_opened.h"
 #include "workspace/playing.h"
 

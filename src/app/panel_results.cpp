@@ -7,7 +7,6 @@
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"
 #include "sym3/reference.h"
-#include "sym3/rotation.h"
 #include "sym3/route.h"
 
 namespace viete::app {

@@ -12,7 +12,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "deform/example_posing.h"
-#include "files/export.h"
 #include "formats/format_table.h"
 
 namespace viete::app {

@@ -8,11 +8,9 @@
 #include <variant>
 
 #include "app/assets.h"
-#include "app/child_process.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "document/cage_editing.h"
-#include "render/view.h"
 #include "sym3/kernel.h"
 #include "ui/panels.h"
 #include "workspace/apply_opened.h"

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "base/worker_pool.h"
-#include "bench/models.h"
 #include "deform/shape_space.h"
 #include "files/shape_import.h"
 #include "formats/read.h"

@@ -15,7 +15,6 @@
 #include "base/worker_pool.h"
 #include "bench/reference_frame.h"
 #include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
 #include "deform/weigher.h"

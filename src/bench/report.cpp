@@ -11,8 +11,6 @@
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
-#include "base/memory.h"
-#include "bench/figures.h"
 #include "bench/page.h"
 #include "formats/format_table.h"
 

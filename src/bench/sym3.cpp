@@ -8,10 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/memory.h"
 #include "bench/ensembles.h"
 #include "bench/exp.h"
-#include "bench/table.h"
 #include "deform/maps.h"
 #include "sym3/derivative.h"
 #include "sym3/eigen.h"

@@ -8,14 +8,9 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/gltf_accessors.h"
-#include "formats/gltf_file.h"
 #include "formats/gltf_morphs.h"
 #include "formats/gltf_output.h"
-#include "formats/gltf_scene.h"
-#include "formats/source.h"
 #include "formats/surface_builder.h"
-#include "formats/text_writer.h"
 #include "mesh/point_index.h"
 
 namespace viete::formats {

@@ -10,14 +10,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/atomic_file.h"
 #include "base/encoding.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/attributes.h"
 #include "formats/codecs.h"
 #include "formats/gltf_morphs.h"
-#include "formats/text_writer.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {

@@ -11,10 +11,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/gltf_accessors.h"
 #include "formats/gltf_morphs.h"
 #include "formats/gltf_output.h"
-#include "formats/text_writer.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {

@@ -8,11 +8,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/attributes.h"
 #include "formats/obj_file.h"
-#include "formats/source.h"
-#include "formats/surface_builder.h"
-#include "formats/text_cursor.h"
 
 namespace viete::formats {
 
@@ -183,7 +179,7 @@ public:
       text_.next_line();
       if (++lines_ % 8192 == 0) source_.report(text_.done());
     }
-    check_highest();
+    if (highest_ > static_cast<std::int64_t>(builder_.vertex_count())) refuse(highest_line_, highest_);
     refuse_other_content();
     tell_skipped();
     end_normals();
@@ -259,10 +255,6 @@ private:
     if (rest[0] != '/' || rest.find_first_not_of("0123456789/+-") != std::string_view::npos)
       text_.fail("vertex index is followed by " + in_quotes(rest), "write corners as 7, 7/2, 7//3 or 7/2/3");
     return rest;
-  }
-
-  void check_highest() const {
-    if (highest_ > static_cast<std::int64_t>(builder_.vertex_count())) refuse(highest_line_, highest_);
   }
 
   [[noreturn]] void refuse(std::size_t line, std::int64_t index) const {

@@ -6,12 +6,9 @@
 #include <optional>
 
 #include "base/text.h"
-#include "formats/attributes.h"
 #include "formats/codecs.h"
 #include "formats/file_vectors.h"
 #include "formats/obj_file.h"
-#include "formats/text_writer.h"
-#include "mesh/normals.h"
 
 namespace viete::formats {
 

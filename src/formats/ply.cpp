@@ -14,11 +14,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "formats/attributes.h"
 #include "formats/file_vectors.h"
 #include "formats/ply_file.h"
-#include "formats/surface_builder.h"
-#include "formats/text_cursor.h"
 #include "mesh/point_index.h"
 
 namespace viete::formats {

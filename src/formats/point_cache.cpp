@@ -12,7 +12,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/byte_order.h"
 #include "formats/source.h"
 #include "formats/text_writer.h"
 

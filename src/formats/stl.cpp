@@ -7,11 +7,8 @@
 #include <string>
 
 #include "base/error.h"
-#include "formats/byte_order.h"
 #include "formats/file_vectors.h"
 #include "formats/surface_builder.h"
-#include "formats/text_cursor.h"
-#include "formats/text_writer.h"
 #include "mesh/point_index.h"
 
 namespace viete::formats {

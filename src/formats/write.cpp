@@ -5,10 +5,8 @@
 #include <iterator>
 #include <set>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/attributes.h"
 #include "formats/codecs.h"
 #include "formats/format_table.h"
 
