@@ -56,9 +56,8 @@ std::string chapters_in(const fs::path& folder) {
 BundledModel bundled_model() {
   const fs::path folder = assets_folder() / "dragon";
   BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}, folder / "loop.viete"};
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().filename().string().starts_with("pose_")) bundled.poses.push_back(entry.path());
-  }
   std::sort(bundled.poses.begin(), bundled.poses.end());
   return bundled;
 }

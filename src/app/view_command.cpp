@@ -138,9 +138,8 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   workspace.jobs.wishes.open(options.inputs.request());
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
-  if (viewer.keeping()) {
+  if (viewer.keeping())
     std::fprintf(stderr, "viete: unsaved edits were backed up; restore them at the next start\n");
-  }
   return true;
 }
 

@@ -106,9 +106,8 @@ void measure(ExpBench& bench, base::Progress& progress) {
 
 double best_in_cache(const ExpBench& bench) {
   double best = time_of(bench.layouts.front().times, "fast");
-  for (const LayoutResult& r : bench.layouts) {
+  for (const LayoutResult& r : bench.layouts)
     if (r.count <= 4096) best = std::min(best, time_of(r.times, "fast"));
-  }
   return best;
 }
 
@@ -191,10 +190,9 @@ Plot plot_of(const ExpBench& bench) {
   const auto curve = [&](const std::string& name, const char* color, bool dashed, Layout layout,
                          const char* time) {
     plot.curves.push_back({name, color, dashed, {}});
-    for (const LayoutResult& r : bench.layouts) {
+    for (const LayoutResult& r : bench.layouts)
       if (r.layout == layout)
         plot.curves.back().points.push_back({static_cast<double>(r.count), time_of(r.times, time)});
-    }
   };
   for (const Layout layout : layouts) {
     const char* color = plot_color::ours[static_cast<std::size_t>(layout)];
@@ -261,9 +259,8 @@ Plot plot_of(const EigenBench& bench) {
   Plot plot;
   const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival,
                           plot_color::ours[0], plot_color::copy};
-  for (std::size_t i = 0; i < bench.results.size(); ++i) {
+  for (std::size_t i = 0; i < bench.results.size(); ++i)
     plot.bars.push_back({bench.results[i].name, bench.results[i].ns_per_item, colors[i]});
-  }
   return plot;
 }
 
@@ -373,9 +370,8 @@ AccuracyTable::Row measured(const Ensemble& ensemble, std::size_t samples, base:
   for (std::size_t i = 0; i < samples; ++i) {
     const auto in = rounded<T>(matrices[i]);
     const Matrix exact_in = rounded<double>(in);
-    for (std::size_t m = 0; m < methods.size(); ++m) {
+    for (std::size_t m = 0; m < methods.size(); ++m)
       add(row.cells[m], sym3::relative_error(rounded<double>(methods[m](in)), exact_in), samples);
-    }
     progress.report(static_cast<double>(i) / static_cast<double>(samples));
   }
   return row;
@@ -424,9 +420,8 @@ nlohmann::json to_json(const std::vector<AccuracyTable>& tables) {
     nlohmann::json rows = nlohmann::json::array();
     for (const auto& row : table.rows) {
       nlohmann::json cells = nlohmann::json::object();
-      for (std::size_t m = 0; m < row.cells.size(); ++m) {
+      for (std::size_t m = 0; m < row.cells.size(); ++m)
         cells[exp_methods()[m].name] = {{"worst", row.cells[m].worst}, {"nan", row.cells[m].nan_share}};
-      }
       rows.push_back({{"name", row.name}, {"value", row.value}, {"methods", std::move(cells)}});
     }
     json.push_back({{"title", table.title}, {"by", table.by}, {"rows", std::move(rows)}});

@@ -107,9 +107,8 @@ deform::LinkTimes link_medians(const Case& c) {
 
 double distance(std::span<const mesh::Point> expected, std::span<const mesh::Point> positions) {
   double largest = 0;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
+  for (std::size_t i = 0; i < expected.size(); ++i)
     largest = std::max(largest, mesh::norm(positions[i] - expected[i]));
-  }
   return largest;
 }
 

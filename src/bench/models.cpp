@@ -89,9 +89,8 @@ mesh::Surface of_size(mesh::Surface model, std::size_t count) {
   while (count > 2 * model.positions.size()) model = subdivided(model);
   if (count == 0 || 2 * count > model.positions.size()) return model;
   std::vector<mesh::Triangle> kept;
-  for (const auto& t : model.triangles) {
+  for (const auto& t : model.triangles)
     if (t[0] < count && t[1] < count && t[2] < count) kept.push_back(t);
-  }
   model.positions.resize(std::max<std::size_t>(count, 3));
   return mesh::from_triangles(std::move(model.positions), kept);
 }
@@ -170,9 +169,8 @@ mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces) {
   const Point center = mesh::bounds(model.positions).center();
   const auto radii = radii_around(model, center, unit, triangles);
   std::vector<Point> positions(unit.size());
-  for (std::size_t i = 0; i < unit.size(); ++i) {
+  for (std::size_t i = 0; i < unit.size(); ++i)
     for (int k = 0; k < 3; ++k) positions[i][k] = center[k] + 1.06 * radii[i] * unit[i][k];
-  }
   return mesh::from_triangles(std::move(positions), triangles);
 }
 

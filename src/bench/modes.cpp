@@ -267,9 +267,8 @@ private:
   }
 
   void note(const std::vector<std::string>& warnings) {
-    for (const auto& w : warnings) {
+    for (const auto& w : warnings)
       if (std::ranges::find(warnings_, w) == warnings_.end()) warnings_.push_back(w);
-    }
   }
 
   double gap_of(const deform::Pose& pose, std::span<const mesh::Point> positions) const {

@@ -119,11 +119,9 @@ struct Scale {
 
 Scale scale_of(const Plot& plot, double PlotCurve::Point::*value, double from, double to) {
   double low = 1e300, high = 0;
-  for (const PlotCurve& curve : plot.curves) {
-    for (const auto& p : curve.points) {
+  for (const PlotCurve& curve : plot.curves)
+    for (const auto& p : curve.points)
       if (p.ns > 0 || plot.linear) low = std::min(low, p.*value), high = std::max(high, p.*value);
-    }
-  }
   if (plot.linear) return {false, 0, 1.04 * high, from, to};
   return {true, std::log10(low) - 0.06, std::log10(high) + 0.06, from, to};
 }
@@ -255,9 +253,8 @@ std::string draw_curves(const Plot& plot) {
   draw_grid(svg, plot, x, y, area);
   for (const PlotCurve& curve : plot.curves) {
     std::vector<SvgPoint> points;
-    for (const auto& p : curve.points) {
+    for (const auto& p : curve.points)
       if (x.shows(p.count) && y.shows(p.ns)) points.push_back({x(p.count), y(p.ns)});
-    }
     svg.curve(points, curve.color, curve.dashed ? 2 : 2.5, curve.dashed);
     if (curve.dashed || plot.linear) continue;
     for (const SvgPoint& p : points) svg.disc(p, 3.5, curve.color);

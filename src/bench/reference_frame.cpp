@@ -143,9 +143,8 @@ void ReferenceFrame::scatter_normals() {
     const mesh::Point n = cross(positions_[t[1]] - a, positions_[t[2]] - a);
     for (const auto corner : t) normals_[corner] = normals_[corner] + n;
   }
-  for (auto& n : normals_) {
+  for (auto& n : normals_)
     if (const double length = norm(n); length > 0) n = (1 / length) * n;
-  }
 }
 
 }  // namespace viete::bench

@@ -18,10 +18,9 @@ std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const
     if (attributes.groups[g].smooth) continue;
     const std::size_t end =
         g + 1 < attributes.groups.size() ? attributes.groups[g + 1].first_polygon : surface.polygon_count();
-    for (std::size_t p = attributes.groups[g].first_polygon; p < end; ++p) {
+    for (std::size_t p = attributes.groups[g].first_polygon; p < end; ++p)
       for (auto c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c)
         common[c] = polygons + p;
-    }
   }
   return common;
 }
@@ -32,9 +31,8 @@ SpreadNormals::SpreadNormals(const mesh::Surface& surface, const Attributes& att
     : of_corner(surface.corners.size(), mesh::none) {
   const auto common = common_to_corners(surface, attributes);
   mesh::Adjacency of_normals = mesh::make_adjacency(attributes.normals.size(), [&](const auto& add) {
-    for (std::uint32_t c = 0; c < attributes.corner_normal.size(); ++c) {
+    for (std::uint32_t c = 0; c < attributes.corner_normal.size(); ++c)
       if (attributes.corner_normal[c] != mesh::none) add(attributes.corner_normal[c], c);
-    }
   });
   normals.reserve(attributes.normals.size());
   for (std::size_t n = 0; n < attributes.normals.size(); ++n) {

@@ -96,9 +96,8 @@ public:
                const Printed& printed) {
     if (!mesh::changed(before, now)) return;
     std::array<char, 400> room;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       if (!printed.same(before[i], now[i])) replace(words[i], printed.print(now[i], room));
-    }
   }
 
   /// Copies the bytes before this offset. The caller can then insert text.

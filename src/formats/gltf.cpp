@@ -112,9 +112,8 @@ private:
   // Returns the index of the texture's image, perhaps from an extension, or -1 if the image is missing.
   static int source_of(const GltfJson& texture) {
     int source = index_of(texture, "source");
-    for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+    for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"})
       if (source < 0) source = index_of(member_of(member_of(texture, "extensions"), extension), "source");
-    }
     return source;
   }
 

@@ -202,9 +202,8 @@ void GltfSharing::count_uses(const GltfJson& document) {
   }
   for (const GltfJson& node : list_of(document, "nodes"))
     use_all(member_of(member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes"));
-  for (const GltfJson& animation : list_of(document, "animations")) {
+  for (const GltfJson& animation : list_of(document, "animations"))
     for (const GltfJson& sampler : list_of(animation, "samplers")) use_all(sampler);
-  }
   for (const GltfJson& skin : list_of(document, "skins")) use(member_of(skin, "inverseBindMatrices"));
 }
 

@@ -271,11 +271,9 @@ private:
   }
 
   void check_extensions() {
-    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
-      for (const GltfJson& extension : list_of(document_, key)) {
+    for (const char* key : {"extensionsUsed", "extensionsRequired"})
+      for (const GltfJson& extension : list_of(document_, key))
         if (extension.is_string()) check_extension(extension.get<std::string>(), key[10] == 'R');
-      }
-    }
   }
 
   void check_extension(const std::string& name, bool required) {
@@ -403,10 +401,9 @@ private:
 }  // namespace
 
 bool has_animation(const GltfJson& document, bool weights) {
-  for (const GltfJson& animation : list_of(document, "animations")) {
+  for (const GltfJson& animation : list_of(document, "animations"))
     for (const GltfJson& channel : list_of(animation, "channels"))
       if ((text_of(member_of(channel, "target"), "path") == "weights") == weights) return true;
-  }
   return false;
 }
 

@@ -160,9 +160,8 @@ private:
       const double t = (*track.times)[i];
       if (!std::isfinite(t) || (i > 0 && t <= (*track.times)[i - 1])) fail("has times that do not increase");
     }
-    for (const double value : *track.values) {
+    for (const double value : *track.values)
       if (!std::isfinite(value)) fail("has a weight that is not finite");
-    }
     bool used = false;
     for (std::size_t p = 0; p < counts_.size(); ++p) {
       if (!node || static_cast<std::uint64_t>(map_->placements[p].node) != *node || counts_[p] == 0) continue;

@@ -102,9 +102,8 @@ public:
   std::vector<std::string> beyond_attributes() const override {
     const GltfJson& document = file_.document;
     std::vector<std::string> found;
-    for (const char* key : {"animations", "skins", "cameras"}) {
+    for (const char* key : {"animations", "skins", "cameras"})
       if (!list_of(document, key).empty()) found.emplace_back(key);
-    }
     const auto add = [&](const char* what, const auto& is) {
       if (any_primitive(document, is)) found.emplace_back(what);
     };
@@ -117,10 +116,9 @@ public:
     });
     if (!text_of(member_of(document, "asset"), "copyright").empty()) found.emplace_back("copyright");
     if (has_extras(document)) found.emplace_back("extras");
-    for (const GltfJson& extension : list_of(document, "extensionsUsed")) {
+    for (const GltfJson& extension : list_of(document, "extensionsUsed"))
       if (extension.is_string() && !is_read(extension))
         found.push_back("extension " + extension.get<std::string>());
-    }
     return found;
   }
 
@@ -260,9 +258,8 @@ private:
   // may be overwritten too. Returns false for buffers of the file that was read.
   bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
     std::error_code failed;
-    for (const GltfBuffer& own : file_.buffers) {
+    for (const GltfBuffer& own : file_.buffers)
       if (!own.path.empty() && fs::equivalent(own.path, buffer, failed)) return false;
-    }
     if (!fs::is_regular_file(path, failed) || !fs::is_regular_file(buffer, failed)) return false;
     const FileBytes older(path, nullptr);
     return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
@@ -337,10 +334,9 @@ private:
     mesh::vertex_normals(positions_, surface_.triangles,
                          mesh::vertex_triangles(positions_.size(), surface_.triangles), 0, positions_.size(),
                          std::span(normals_).subspan(first));
-    for (std::size_t c = 0; c < corner_normal_.size(); ++c) {
+    for (std::size_t c = 0; c < corner_normal_.size(); ++c)
       if (corner_normal_[c] == mesh::none)
         corner_normal_[c] = static_cast<std::uint32_t>(first + surface_.corners[c]);
-    }
   }
 
   void list_vertices() {

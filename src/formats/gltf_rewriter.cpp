@@ -28,9 +28,8 @@ public:
       : file_(file), map_(map), rest_(rest), posed_(positions), accessors_(file), document_(file.document) {
     for (const GltfBuffer& buffer : file.buffers) buffers_.push_back(buffer.bytes);
     if (motion) find_morphing(*motion);
-    for (const GltfPiece& piece : map.pieces) {
+    for (const GltfPiece& piece : map.pieces)
       if (moves(piece) || morphs(piece)) moved_.push_back(&piece);
-    }
     if (!moved_.empty()) rewrite();
     if (motion) put_morphs(*motion, progress);
   }
@@ -48,18 +47,16 @@ private:
   }
 
   bool moves(const GltfPiece& piece) const {
-    for (std::size_t i = 0; i < piece.count; ++i) {
+    for (std::size_t i = 0; i < piece.count; ++i)
       if (moves(piece.first + i)) return true;
-    }
     return false;
   }
 
   void find_morphing(const MorphMotion& motion) {
     morphing_.assign(map_.placements.size(), false);
-    for (const GltfPiece& piece : map_.pieces) {
+    for (const GltfPiece& piece : map_.pieces)
       for (std::size_t i = 0; i < piece.count && !morphing_[piece.placement]; ++i)
         morphing_[piece.placement] = motion.moves[map_.surface_vertex[piece.first + i]] != 0;
-    }
   }
 
   bool morphs(const GltfPiece& piece) const { return !morphing_.empty() && morphing_[piece.placement]; }
@@ -87,9 +84,8 @@ private:
   // The offsets of the file's targets follow the surface.
   void deform_targets() {
     std::size_t count = 0;
-    for (const GltfPiece* piece : moved_) {
+    for (const GltfPiece* piece : moved_)
       if (moves(*piece)) count = std::max(count, piece->targets->size());
-    }
     for (std::size_t t = 0; t < count; ++t) {
       deform_target(t, "POSITION", &GltfTarget::positions);
       deform_target(t, "NORMAL", &GltfTarget::normals);
@@ -418,9 +414,8 @@ private:
         std::memcpy(buffers_[place.buffer].data() + place.offset + i * place.stride, &values[i * components],
                     components * sizeof(float));
     }
-    for (Json* primitive : primitives) {
+    for (Json* primitive : primitives)
       if (Json* const number = slot(*primitive)) *number = to;
-    }
     Json& json = document_["accessors"][to];  // in glTF, only positions must have min and max
     if (are_positions || json.contains("min") || json.contains("max"))
       set_gltf_bounds(json, values, components);

@@ -59,9 +59,8 @@ public:
   // Call this after the builder's end_polygon().
   void end_polygon(const mesh::Surface& surface) {
     const std::size_t corners = surface.corners.size();
-    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal})
       if (indices->size() > corners) indices->resize(corners);
-    }
     const bool made = std::exchange(polygons_, surface.polygon_count()) != surface.polygon_count();
     if (!changed_ || !made) return;
     state_.first_polygon = static_cast<std::uint32_t>(surface.polygon_count() - 1);
@@ -104,9 +103,8 @@ public:
     check(found_.corner_texture, found_.texture_points.size());
     check(found_.corner_normal, found_.normals.size());
     const std::size_t corners = builder.surface().corners.size();
-    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal})
       if (!indices->empty()) indices->resize(corners, mesh::none);
-    }
     found_.colors = colors_of_elements(colors_, builder.vertex_count(), {1, 1, 1, 1});
     finish_groups();
     files_ = read_materials(source_, libraries_, found_, builder);

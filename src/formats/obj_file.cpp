@@ -154,9 +154,8 @@ ObjWord small_obj_word(std::string_view word) {
   if (word == "f") return face;
   if (word == "vt") return texture_point;
   if (word == "vn") return normal;
-  for (const auto& [rarer, kind] : rarer_words) {
+  for (const auto& [rarer, kind] : rarer_words)
     if (word == rarer) return kind;
-  }
   return std::ranges::find(other_words, word) == std::end(other_words) ? unknown : other;
 }
 

@@ -164,10 +164,9 @@ private:
 
   void vertices(const PlyElement& element) {
     const std::array<std::size_t, 3> axes = {element.find("x"), element.find("y"), element.find("z")};
-    for (const std::size_t axis : axes) {
+    for (const std::size_t axis : axes)
       if (axis == element.properties.size() || element.properties[axis].list_size)
         throw base::Error(source_.name, "element vertex lacks x, y or z", "export the model again");
-    }
     record(element, FileVectors::Kind::positions, {"x", "y", "z"});
     record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
     record(element, FileVectors::Kind::tangents, {"tx", "ty", "tz"});
@@ -336,9 +335,8 @@ private:
     }
     if (found_.materials.empty() || surface.polygon_count() == 0) return;
     if (groups_.empty()) groups_.push_back({0, "", "", 0});
-    for (Group& g : groups_) {
+    for (Group& g : groups_)
       if (g.material >= found_.materials.size()) g.material = mesh::none;
-    }
     found_.groups = std::move(groups_);
   }
 

@@ -155,10 +155,9 @@ std::vector<std::string> PlyHeader::beyond_attributes() const {
       found.push_back("element " + element.name);
       continue;
     }
-    for (const PlyProperty& p : element.properties) {
+    for (const PlyProperty& p : element.properties)
       if ((vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
         found.push_back("property " + p.name + " of " + element.name);
-    }
   }
   return found;
 }

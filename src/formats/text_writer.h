@@ -83,9 +83,8 @@ public:
 
   /// Replaces control characters by blanks. Removes blanks and backslashes at the end.
   static std::string one_line(std::string text) {
-    for (char& c : text) {
+    for (char& c : text)
       if (static_cast<unsigned char>(c) < 32) c = ' ';
-    }
     while (!text.empty() && (text.back() == '\\' || text.back() == ' ')) text.pop_back();
     return text;
   }
