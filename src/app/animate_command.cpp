@@ -5,15 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "files/animation_export.h"
 #include "files/animation_import.h"
 #include "formats/source.h"
 

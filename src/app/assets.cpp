@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace viete::app {
 
@@ -14,32 +15,22 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
+namespace {
+
 fs::path assets_folder() {
   std::vector<fs::path> places;
   if (const char* named = std::getenv("VIETE_ASSETS")) places.emplace_back(named);
   places.push_back(program_folder() / ".." / "share" / "viete");
-  places.emplace_back(source_assets());
-  std::string looked;
+  places.emplace_back(VIETE_SOURCE_ASSETS);
+  std::vector<std::string> looked;
   for (const auto& place : places) {
     std::error_code ignored;
     if (fs::exists(place / "dragon" / "dragon.ply", ignored)) return fs::weakly_canonical(place);
-    looked += (looked.empty() ? "" : ", ") + place.string();
+    looked.push_back(place.string());
   }
-  throw base::Error("dragon/dragon.ply", "the bundled model was not found in " + looked,
+  throw base::Error("dragon/dragon.ply", "the bundled model was not found in " + base::joined(looked),
                     "set VIETE_ASSETS to the folder that contains dragon/, or open another model");
 }
-
-BundledModel bundled_model() {
-  const fs::path folder = assets_folder() / "dragon";
-  BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}, folder / "loop.viete"};
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename().string().starts_with("pose_")) bundled.poses.push_back(entry.path());
-  }
-  std::sort(bundled.poses.begin(), bundled.poses.end());
-  return bundled;
-}
-
-namespace {
 
 fs::path manual_folder() {
   std::error_code ignored;
@@ -57,12 +48,19 @@ std::string chapters_in(const fs::path& folder) {
     if (entry.path().extension() == ".html" && name != "index") names.push_back(name);
   }
   std::sort(names.begin(), names.end());
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+  return base::joined(names);
 }
 
 }  // namespace
+
+BundledModel bundled_model() {
+  const fs::path folder = assets_folder() / "dragon";
+  BundledModel bundled{folder / "dragon.ply", folder / "cage.obj", {}, folder / "loop.viete"};
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with("pose_")) bundled.poses.push_back(entry.path());
+  std::sort(bundled.poses.begin(), bundled.poses.end());
+  return bundled;
+}
 
 fs::path manual_page(const std::string& chapter) {
   const fs::path folder = manual_folder(), page = folder / ((chapter.empty() ? "index" : chapter) + ".html");
@@ -70,6 +68,14 @@ fs::path manual_page(const std::string& chapter) {
   const bool is_name = chapter.find('/') == chapter.npos;
   if (is_name && fs::exists(page, ignored)) return page;
   throw base::Error("the manual", "it has no chapter " + chapter, "choose one of " + chapters_in(folder));
+}
+
+const char* version() {
+  return VIETE_VERSION;
+}
+
+const char* build_type() {
+  return VIETE_BUILD_TYPE;
 }
 
 }  // namespace viete::app

@@ -7,15 +7,13 @@
 
 namespace viete::app {
 
-/// Returns the first of these folders that contains the bundled model: $VIETE_ASSETS, ../share/viete relative
-/// to the program, source_assets(). Throws base::Error if the model is not found.
-std::filesystem::path assets_folder();
-
 struct BundledModel {
   std::filesystem::path model, cage;
   std::vector<std::filesystem::path> poses;  ///< poses of the cage, sorted by name
   std::filesystem::path loop;                ///< a session with this model and cage, poses and keys
 };
+/// Searches these folders: $VIETE_ASSETS, ../share/viete relative to the program, and the assets of the
+/// source tree from which the program was built. Throws base::Error if the model is not found.
 BundledModel bundled_model();
 
 std::filesystem::path program_folder();
@@ -28,7 +26,5 @@ std::filesystem::path manual_page(const std::string& chapter);
 const char* version();
 /// Build type and compiler, for example "Release, GNU 12.2.0".
 const char* build_type();
-/// The assets folder of the source tree from which the program was built.
-const char* source_assets();
 
 }  // namespace viete::app

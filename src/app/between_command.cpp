@@ -5,15 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/animation.h"
-#include "files/animation_export.h"
 #include "formats/point_cache.h"
 #include "formats/source.h"
 

@@ -6,10 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/text.h"

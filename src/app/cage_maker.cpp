@@ -4,8 +4,6 @@
 
 #include "base/clock.h"
 #include "base/text.h"
-#include "base/worker_pool.h"
-#include "weights/binding.h"
 
 namespace viete::app {
 

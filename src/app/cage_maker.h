@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bound.h"
+#include "app/view_model.h"
 #include "base/background.h"
 #include "cages/make.h"
 #include "workspace/workspace.h"

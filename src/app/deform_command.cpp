@@ -14,17 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "app/bound.h"
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
+#include "app/view_model.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "base/worker_pool.h"
-#include "deform/frame_deformer.h"
-#include "files/export.h"
-#include "formats/printed.h"
 #include "formats/source.h"
 
 namespace viete::app {
@@ -166,10 +159,6 @@ int write_file(const DeformOptions& options) {
   return exit_ok;
 }
 
-int deform_file(const DeformOptions& options) {
-  return run_cancellable(options.output, [&] { return write_file(options); });
-}
-
 }  // namespace
 
 void add_deform_command(CLI::App& app, Action& action) {
@@ -190,7 +179,9 @@ void add_deform_command(CLI::App& app, Action& action) {
     if (o->stream) o->inputs.use = Use::animation;  // does not need --pose
     if (!o->stream && o->output.file.empty()) throw CLI::RequiredError("--output");
     check_usage(o->inputs);
-    action = [o] { return o->stream ? stream(*o) : deform_file(*o); };
+    action = [o] {
+      return o->stream ? stream(*o) : run_cancellable(o->output, [&] { return write_file(*o); });
+    };
   });
 }
 

@@ -1,19 +1,101 @@
-// Opens, saves and exports files for the viewer, backs up unsaved edits, and stores preferences.
+// Opens, saves and exports files for the viewer in the background, backs up unsaved edits, and stores
+// preferences.
 #pragma once
 
+#include <deque>
 #include <filesystem>
+#include <functional>
 #include <future>
+#include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "app/autosave.h"
-#include "app/exporter.h"
-#include "app/loader.h"
+#include "app/model_layer.h"
+#include "app/view_model.h"
 #include "base/background.h"
+#include "base/progress.h"
+#include "files/animation_export.h"
+#include "files/export.h"
+#include "files/open.h"
+#include "files/session.h"
+#include "workspace/messages.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {
+
+struct Loaded {
+  files::Opened opened;
+  ModelShading shading;                           ///< empty if the model is unchanged
+  Bound bound;                                    ///< the binding of a new model or cage; otherwise empty
+  std::optional<workspace::Question> question{};  ///< set if the user must answer before files can be opened
+  files::OpenRequest request{};                   ///< if there is a question: the request to repeat
+};
+using Loader = base::BackgroundJob<Loaded>;
+
+/// Cancels a running request and starts `request`. If reading or binding fails, the open document stays
+/// unchanged. See shading_of() for `moving`.
+void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
+                   std::size_t moving = std::numeric_limits<std::size_t>::max());
+
+struct PictureExport {
+  std::filesystem::path file;     ///< pattern of the file names, such as frame_####.png
+  std::filesystem::path program;  ///< the program `viete`
+  files::Session session;         ///< the session to draw, with its playback range and view
+  bool panels = false;
+  bool replaces = false;  ///< replaces existing pictures
+};
+
+/// Draws and writes pictures in a child process. Returns notes for the user, one line each. Throws
+/// base::Error with the message of the child process, and base::Cancelled. Thread-safe.
+std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress);
+
+/// Runs exports one after another. The destructor cancels unfinished exports. Each file is written completely
+/// or not at all. Not thread-safe.
+class Exporter {
+public:
+  struct Failure {
+    std::filesystem::path file;
+    std::string problem;
+  };
+
+  /// See base::BackgroundQueue for `wake`.
+  explicit Exporter(base::Wake wake = nullptr) : job_(std::move(wake)) {}
+
+  /// what.file must have passed check_output(). A note in `shown_notes` is not shown again.
+  void add(files::Export what, std::vector<std::string> shown_notes = {});
+  void add(files::AnimationExport what, std::vector<std::string> shown_notes = {});
+  void add(PictureExport what);
+  /// Cancels the running export. When this export has ended, the next export starts.
+  void stop() { job_.stop(); }
+  bool running() const { return job_.running(); }
+  bool has_result() const { return job_.has_result(); }
+  workspace::WorkState state() const;
+  /// If `wait` is true, waits for the running export. If an export has finished, starts the next export.
+  /// Reports success or cancelling in `messages`. A failure is returned, but not reported.
+  std::optional<Failure> follow(workspace::Messages& messages, bool wait = false);
+
+private:
+  struct Written {
+    std::string summary;
+    std::vector<std::string> notes;
+  };
+  struct Work {
+    std::filesystem::path file;
+    std::string stopped;  ///< end of the message after cancelling
+    std::function<Written(base::Progress&)> write;
+    std::vector<std::string> shown_notes{};
+  };
+  void add(Work work);
+  void start_next();
+  void tell(workspace::Messages& messages, Written&& written) const;
+
+  std::deque<Work> waiting_;
+  Work now_;  ///< the running export; its `write` is moved to job_
+  base::BackgroundJob<Written> job_;
+};
 
 std::filesystem::path preferences_file(const std::filesystem::path& state);
 

@@ -4,9 +4,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/command_line.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/format_table.h"
@@ -36,6 +33,20 @@ void add_deformer_options(CLI::App& app, document::RequestedSettings& settings) 
   for (const char* other : {"--weights", "--blend"}) preset->excludes(app.get_option(other));
   for (const char* name : {"radius", "rotation", "stretch"}) add_number_option(app, name, settings);
   add_arap_options(app, settings);
+}
+
+void check(const Output& output, const FilesInUse& files, const files::FrameSteps* frames) {
+  if (!frames) return check_output(output.file, output.content, files, output.force);
+  check_output(output.file, *frames, files, force_of(output.force));
+}
+
+// Throws base::Error if all triangles have zero area: LogSpace cannot represent such a model.
+void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
+  const auto& p = model.positions;
+  const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
+  if (std::ranges::none_of(model.triangles, has_area))
+    throw base::Error(file.string(), "all faces of this model have zero area",
+                      "choose another model as the rest shape");
 }
 
 }  // namespace
@@ -122,24 +133,6 @@ void print_notes(const std::vector<std::string>& notes) {
 void print_summary(const Output& output, const std::string& summary) {
   std::printf("%s: %s\n", base::printable(output.file.string()).c_str(), base::printable(summary).c_str());
 }
-
-namespace {
-
-void check(const Output& output, const FilesInUse& files, const files::FrameSteps* frames) {
-  if (!frames) return check_output(output.file, output.content, files, output.force);
-  check_output(output.file, *frames, files, force_of(output.force));
-}
-
-// Throws base::Error if all triangles have zero area: LogSpace cannot represent such a model.
-void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
-  const auto& p = model.positions;
-  const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
-  if (std::ranges::none_of(model.triangles, has_area))
-    throw base::Error(file.string(), "all faces of this model have zero area",
-                      "choose another model as the rest shape");
-}
-
-}  // namespace
 
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
                          const Output& output, const files::FrameSteps* frames) {

@@ -7,16 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.h"
+#include "app/options.h"
 #include "files/animation_export.h"
 #include "files/export.h"
 #include "files/open.h"
-#include "files/output.h"
 #include "files/shape_import.h"
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
 
 namespace viete::app {
 

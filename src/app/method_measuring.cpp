@@ -5,9 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/clock.h"
 #include "base/median.h"
-#include "base/worker_pool.h"
 #include "pose/deformer.h"
 #include "sym3/exp.h"
 #include "sym3/reference.h"
@@ -16,12 +14,52 @@ namespace viete::app {
 
 namespace {
 
+using analysis::compared_methods;
+using Matrix = sym3::Sym3<double>;
+
 constexpr std::size_t sampled_matrices = 2048;
 constexpr double sample_seconds = 0.3;     // shortest interval between samples; a sample takes a millisecond
 constexpr double pose_rest_seconds = 0.5;  // after this time without motion, all methods are timed
 
 bool is_in_motion(const workspace::Workspace& w) {
   return w.view.interaction.drag || w.playback.playing || w.jobs.working();
+}
+
+constexpr std::size_t timed_rounds = 5, busy_rounds = 15;  // the second if the computer is busy
+// A measurement computes missing weights of the staged engine only if they need at most this many bytes.
+constexpr double most_weight_bytes = 256.0 * (1 << 20);
+
+bool lacks_small_weights(const FrameInput& timed) {
+  const weights::Binding& binding = *timed.bound.binding;
+  return binding.weights.empty() &&
+         pose::engine_for(timed.deformer, sym3::Method::diag) == pose::EngineKind::staged &&
+         8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
+             most_weight_bytes;
+}
+
+using TimedFrames = std::array<std::vector<workspace::FrameTimes>, workspace::MethodTimes::fused + 1>;
+
+// Stores the medians. Returns true if the computer was busy.
+bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
+  times.busy = false;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].empty()) continue;
+    const workspace::FrameTimes median = workspace::median_of(frames[i]);
+    times.stages[i] = median.stages;
+    times.busy |= median.busy;
+  }
+  return times.busy;
+}
+
+workspace::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
+  std::vector<double> errors(matrices.size());
+  for (std::size_t i = 0; i < matrices.size(); ++i)
+    errors[i] = sym3::relative_error(computed[i], matrices[i]);
+  workspace::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
+  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
+  sample.worst_error = std::ranges::max(errors);
+  sample.median_error = base::median(std::move(errors));
+  return sample;
 }
 
 }  // namespace
@@ -56,8 +94,8 @@ double MethodMeasuring::due_in(const workspace::Workspace& w, const LiveModel& m
   return std::min(sampling_in(w, model), timing_in(w, model));
 }
 
-// If model, cage or a deformer setting other than Deformer::amounts has changed, discards all measurements.
-// If only the engine has changed, discards only the sampled error.
+// If model, cage or a deformer setting other than Deformer::amounts has changed, discards all measurements. If
+// only the engine has changed, discards only the sampled error.
 bool MethodMeasuring::discard_old(workspace::Workspace& w, const LiveModel& model) {
   const auto engine = model.deformer() ? model.deformer()->ran() : std::nullopt;
   const Key key = key_of(w, model);
@@ -131,8 +169,8 @@ bool MethodMeasuring::take_times(workspace::Workspace& w, LiveModel& model, bool
 void MethodMeasuring::show_drawn_times(workspace::Workspace& w, const LiveModel& model) const {
   const auto frame = w.view.split.views[0].stats.deforming_median();
   if (!frame || (w.frame.method_times.measured && timed_ == model.frames())) return;
-  const auto& methods = analysis::compared_methods;
-  auto running = static_cast<std::size_t>(std::ranges::find(methods, frame->method) - methods.begin());
+  const auto found = std::ranges::find(compared_methods, frame->method);
+  auto running = static_cast<std::size_t>(found - compared_methods.begin());
   if (engine_ == pose::EngineKind::fused) running = workspace::MethodTimes::fused;
   w.frame.method_times.stages[running] = frame->stages;
   w.frame.method_times.busy = frame->busy;
@@ -150,38 +188,6 @@ void MethodMeasuring::finish(workspace::Workspace& w, LiveModel& model) {
   follow(w, model, false);
 }
 
-namespace {
-
-using analysis::compared_methods;
-
-constexpr std::size_t timed_rounds = 5, busy_rounds = 15;  // the second if the computer is busy
-// A measurement computes missing weights of the staged engine only if they need at most this many bytes.
-constexpr double most_weight_bytes = 256.0 * (1 << 20);
-
-bool lacks_small_weights(const FrameInput& timed) {
-  const weights::Binding& binding = *timed.bound.binding;
-  return binding.weights.empty() &&
-         pose::engine_for(timed.deformer, sym3::Method::diag) == pose::EngineKind::staged &&
-         8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
-             most_weight_bytes;
-}
-
-using TimedFrames = std::array<std::vector<workspace::FrameTimes>, workspace::MethodTimes::fused + 1>;
-
-// Stores the medians. Returns true if the computer was busy.
-bool take_medians(const TimedFrames& frames, workspace::MethodTimes& times) {
-  times.busy = false;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (frames[i].empty()) continue;
-    const workspace::FrameTimes median = workspace::median_of(frames[i]);
-    times.stages[i] = median.stages;
-    times.busy |= median.busy;
-  }
-  return times.busy;
-}
-
-}  // namespace
-
 MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   if (lacks_small_weights(timed))
     timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.deformer, sym3::Method::diag,
@@ -189,7 +195,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   base::WorkerPool pool;
   const Bound& bound = timed.bound;
   deform::FrameDeformer deformer(bound.cage, bound.binding, timed.deformer, pool,
-                                 bound.stitches(timed.deformer) ? bound.stitching : nullptr);
+                            bound.stitches(timed.deformer) ? bound.stitching : nullptr);
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
@@ -215,39 +221,20 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   return result;
 }
 
-namespace {
-
-constexpr int rounds = 5;
-constexpr std::size_t method_count = analysis::compared_methods.size();
-using Matrix = sym3::Sym3<double>;
-
-workspace::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
-  std::vector<double> errors(matrices.size());
-  for (std::size_t i = 0; i < matrices.size(); ++i)
-    errors[i] = sym3::relative_error(computed[i], matrices[i]);
-  workspace::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
-  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
-  sample.worst_error = std::ranges::max(errors);
-  sample.median_error = base::median(std::move(errors));
-  return sample;
-}
-
-}  // namespace
-
 workspace::MethodStats measure_methods(std::span<const Matrix> matrices) {
   workspace::MethodStats stats;
   if (matrices.empty()) return stats;
   std::vector<Matrix> out(matrices.size());
-  std::array<std::vector<double>, method_count> seconds;
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t m = 0; m < method_count; ++m) {
+  std::array<std::vector<double>, compared_methods.size()> seconds;
+  for (std::size_t round = 0; round < timed_rounds; ++round) {
+    for (std::size_t m = 0; m < seconds.size(); ++m) {
       const double start = base::thread_seconds();
-      sym3::exp<double>(matrices, out, analysis::compared_methods[m]);
+      sym3::exp<double>(matrices, out, compared_methods[m]);
       seconds[m].push_back(base::thread_seconds() - start);
       if (round == 0) stats.samples[m] = errors_of(out, matrices);
     }
   }
-  for (std::size_t m = 0; m < method_count; ++m)
+  for (std::size_t m = 0; m < seconds.size(); ++m)
     stats.samples[m].ns_per_matrix = 1e9 * base::median(seconds[m]) / static_cast<double>(matrices.size());
   stats.matrices = matrices.size();
   return stats;

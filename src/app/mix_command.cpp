@@ -2,16 +2,14 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "document/animation.h"
 #include "document/document_state.h"
-#include "files/export.h"
 #include "formats/format_table.h"
 
 namespace viete::app {
@@ -63,18 +61,18 @@ void split_name(Share& share) {
 document::SharedShape shape_of(const Share& share, const std::vector<document::NamedShape>& shapes) {
   if (share.name.empty() && shapes.size() == 1) return shapes.front().shape;
   constexpr std::size_t most = 12;
-  std::string names;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (shapes[i].name == share.name) return shapes[i].shape;
-    if (i < most) names += (names.empty() ? "" : ", ") + shapes[i].name;
+  std::vector<std::string> names;
+  for (const document::NamedShape& shape : shapes) {
+    if (shape.name == share.name) return shape.shape;
+    names.push_back(shape.name);
   }
   throw base::Error(
       share.file.string(),
       share.name.empty() ? "it contains several shapes" : "it contains no shape named " + share.name,
-      "append one of these names after a colon: " + names + (shapes.size() > most ? " ..." : ""));
+      "append one of these names after a colon: " + base::joined(names, ", ", most));
 }
 
-std::vector<std::string> write_mix(MixOptions options) {
+int write_mix(MixOptions options) {
   std::vector<std::filesystem::path> files;
   for (Share& share : options.shares) split_name(share), files.push_back(share.file);
   const OpenedShapes opened = open_shapes(options.rest, files, options.output);
@@ -83,19 +81,14 @@ std::vector<std::string> write_mix(MixOptions options) {
     terms.push_back({shape_of(options.shares[i], opened.of_files[i]), options.shares[i].weight});
   files::Export what = export_to(options.output, opened.model);
   std::vector<std::string> notes;
-  TerminalProgress work(options.output.task());
+  std::optional<TerminalProgress> work(options.output.task());
   base::WorkerPool pool;
-  const shapes::ShapeSpace space(*what.model, pool, &work.progress());
+  const shapes::ShapeSpace space(*what.model, pool, &work->progress());
   what.shape = document::mixed(space, terms, options.linear, pool, &notes);
-  for (auto& note : write_shape(what, "the mix", &work.progress())) notes.push_back(std::move(note));
-  return notes;
-}
-
-int mix(const MixOptions& options) {
-  return run_cancellable(options.output, [&] {
-    print_notes(write_mix(options));
-    return exit_ok;
-  });
+  for (auto& note : write_shape(what, "the mix", &work->progress())) notes.push_back(std::move(note));
+  work.reset();  // removes the progress line
+  print_notes(notes);
+  return exit_ok;
 }
 
 }  // namespace
@@ -119,7 +112,8 @@ void add_mix_command(CLI::App& app, Action& action) {
   add_output_options(*command, o->output);
   add_examples(*command, {"mix rest.obj --shape smile.obj=0.5 -o mixed.obj",
                           "mix rest.obj --shape face.glb:smile=1 --shape sad.obj=-0.2 -o mix.ply"});
-  command->callback([o, &action] { action = [o] { return mix(*o); }; });
+  command->callback(
+      [o, &action] { action = [o] { return run_cancellable(o->output, [&] { return write_mix(*o); }); }; });
 }
 
 }  // namespace viete::app

@@ -10,7 +10,6 @@
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "formats/source.h"
-#include "mesh/drawing.h"
 #include "mesh/normals.h"
 #include "render/view.h"
 

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "app/inputs.h"
-#include "app/options.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/pose_edit.h"
-#include "files/animation_export.h"
 #include "workspace/apply_opened.h"
 #include "workspace/playing.h"
 
@@ -56,9 +53,9 @@ document::ViewOptions view_of(const PictureOptions& options, const std::optional
   view.dark &= !options.light;
   view.cage = options.cage;
   view.wireframe |= options.wireframe;
-  view.field = base::value_of_word<analysis::Field>(options.map).value_or(view.field);
+  view.field = options.map.value_or(view.field);
   view.grid &= !options.no_grid;
-  view.shading = base::value_of_word<document::Shading>(options.shading).value_or(view.shading);
+  view.shading = options.shading.value_or(view.shading);
   return view;
 }
 
@@ -114,6 +111,13 @@ void print_missing(const workspace::Workspace& w) {
       if (!problem.empty()) throw base::Error("", problem);
 }
 
+// Quotes a word for the shell.
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 }  // namespace
 
 std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files::Opened&& opened) {
@@ -158,17 +162,16 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       command.add_option("--look", options.look, "View: home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
   add_file_option(command, "--camera", options.camera, "Session whose camera to use");
-  auto* shading = command.add_option("--shading", options.shading,
-                                     "Shading: clay, porcelain, jade, file, checker, normals or zebra");
-  one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
+  add_choice<document::Shading>(command, "--shading",
+                                "Shading: clay, porcelain, jade, file, checker, normals or zebra",
+                                options.shading)
+      ->default_str("file");
   command.add_flag("--show-cage", options.cage, "Draw the cage");
   command.add_flag("--panels", options.panels, "Draw the panels of the window");
   command.add_flag("--light", options.light, "Use the light theme");
   command.add_flag("--wireframe", options.wireframe, "Draw the edges of the mesh");
-  std::vector<std::string> maps;
-  for (const base::Choice& choice : choices(analysis::Field::none)) maps.emplace_back(choice.word);
-  auto* map = command.add_option("--map", options.map, "Colour map, see 'viete help deformers'");
-  one_of(map, maps)->default_str("none");
+  add_choice<analysis::Field>(command, "--map", "Colour map, see 'viete help deformers'", options.map)
+      ->default_str("none");
   std::vector<std::string> compared;
   for (const base::Choice& preset : choices(pose::Preset{})) compared.emplace_back(preset.word);
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
@@ -181,17 +184,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 }
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// Quotes a word for the shell.
-std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
-
-}  // namespace
 
 std::string ffmpeg_command(const PictureRun& run) {
   const std::string pattern = base::NumberedName(fs::absolute(run.file)).pattern();

@@ -37,7 +37,9 @@ private:
 struct PictureOptions {
   ViewerOptions viewer{.samples = 4};
   bool panels = false, light = false, cage = false, wireframe = false, no_grid = false;
-  std::string look, shading, map;    ///< empty if the option is missing
+  std::string look;  ///< empty if the option is missing
+  std::optional<document::Shading> shading;
+  std::optional<analysis::Field> map;
   std::vector<std::string> compare;  ///< one deformer, method or interpolation per view
   std::filesystem::path camera;      ///< the session whose camera is used; may be empty
   std::optional<int> frame;          ///< a frame of the timeline; by default, the session's frame

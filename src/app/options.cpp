@@ -1,6 +1,5 @@
 #include "app/options.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -9,8 +8,8 @@
 
 #include "analysis/field.h"
 #include "base/text.h"
-#include "document/range.h"
 #include "pose/probe.h"
+#include "document/range.h"
 #include "workspace/frame_stats.h"
 
 namespace viete::app {
@@ -49,6 +48,20 @@ CLI::Option* limit(CLI::Option* option, Number low, Number high, const std::stri
   });
 }
 
+// One entry of a list in the help, wrapped to 80 columns, with a line break at the end.
+std::string help_line(const std::string& name, const std::string& text) {
+  constexpr std::size_t text_column = 26;
+  std::string out = "  " + name;
+  if (text.empty()) return out + '\n';
+  if (out.size() + 2 > text_column) {
+    out += '\n';
+    out.append(text_column, ' ');
+  } else {
+    out.resize(text_column, ' ');
+  }
+  return out + wrapped(text, text_column, text_column) + '\n';
+}
+
 }  // namespace
 
 CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::filesystem::path& file,
@@ -67,7 +80,7 @@ CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t 
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
   return option->option_text("WORD")->check([words](const std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    return "needs " + listed(words) + ", not " + text + suggestion(text, words);
+    return "needs " + base::listed(words) + ", not " + text + suggestion(text, words);
   });
 }
 
@@ -85,14 +98,14 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   for (const sym3::Method m : analysis::compared_methods) words.emplace_back(sym3::name(m));
   auto* option = app.add_option_function<std::string>(
       "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); },
-      "Matrix exponential: " + listed(words));
+      "Matrix exponential: " + base::listed(words));
   one_of(option, words)->default_str("fast");
 }
 
 void add_choice_options(CLI::App& app, pose::PartialChoice& choice) {
   add_choice<pose::Weights>(app, "--weights", "Weights, see 'viete help deformers'", choice.weights);
   add_choice<pose::Blend>(app, "--blend", "Blend of transformations, see 'viete help deformers'",
-                          choice.blend);
+                            choice.blend);
 }
 
 std::string deformers_help() {
@@ -224,28 +237,6 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
   return best;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += names[i];
-  }
-  return text;
-}
-
-std::string help_line(const std::string& name, const std::string& text) {
-  constexpr std::size_t text_column = 26;
-  std::string out = "  " + name;
-  if (text.empty()) return out + '\n';
-  if (out.size() + 2 > text_column) {
-    out += '\n';
-    out.append(text_column, ' ');
-  } else {
-    out.resize(text_column, ' ');
-  }
-  return out + wrapped(text, text_column, text_column) + '\n';
-}
-
 void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
   std::string text = "Examples:";
   for (const std::string& line : lines) text += "\n  viete " + line;
@@ -280,6 +271,11 @@ std::string text_of(const CLI::Option& option) {
   std::string text = option.get_description();
   if (!option.get_default_str().empty()) text += " (default: " + option.get_default_str() + ")";
   return text;
+}
+
+// The command parsed so far, for example "viete bench exp".
+std::string name_of_command(const CLI::App& app) {
+  return app.get_parent() ? name_of_command(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
 // For example " MODEL [CAGE] -o FILE [OPTIONS]".
@@ -338,9 +334,8 @@ const CLI::App& last_command(const CLI::App& app) {
 
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
+  for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
   return names;
 }
 
@@ -369,19 +364,13 @@ std::string unknown(const CLI::App& command, const std::vector<std::string>& wor
            suggestion(first.substr(0, first.find('=')), option_names(command));
   if (const auto names = command_names(command); !names.empty())
     return name_of_command(command) + " has no command " + first + suggestion(first, names);
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-  return "unexpected arguments of " + name_of_command(command) + ": " + all;
+  return "unexpected arguments of " + name_of_command(command) + ": " + base::joined(words, " ");
 }
 
 }  // namespace
 
 std::shared_ptr<CLI::FormatterBase> help_formatter() {
   return std::make_shared<HelpFormatter>();
-}
-
-std::string name_of_command(const CLI::App& app) {
-  return app.get_parent() ? name_of_command(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -399,7 +388,7 @@ std::string usage_error(const CLI::App& app, const CLI::Error& error) {
     text = unknown(command, words);
   } else if (const auto names = command_names(command);
              !names.empty() && error.get_name() == "RequiredError") {
-    text = name_of_command(command) + " needs one of " + listed(names);
+    text = name_of_command(command) + " needs one of " + base::listed(names);
   } else if (error.get_name() == "ArgumentMismatch") {
     text = wrong_count(text);
   }

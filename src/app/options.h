@@ -14,10 +14,10 @@
 #include <string_view>
 #include <vector>
 
+#include "pose/deformer.h"
 #include "document/document.h"
 #include "files/output.h"
 #include "formats/text_writer.h"
-#include "pose/deformer.h"
 #include "sym3/exp.h"
 
 namespace viete::app {
@@ -76,19 +76,11 @@ std::size_t misspellings(std::string_view a, std::string_view b);
 /// the word, if the word begins with the name, or if the edit distance is small.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
-/// Lists names as "a", "a or b", or "a, b or c".
-std::string listed(const std::vector<std::string>& names);
-
-/// One entry of a list in the help, wrapped to 80 columns, with a line break at the end.
-std::string help_line(const std::string& name, const std::string& text);
 /// Adds examples at the end of a command's help.
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
 /// Formats the help of the program and its commands, wrapped to 80 columns.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
-
-/// The command parsed so far, for example "viete bench exp".
-std::string name_of_command(const CLI::App& app);
 
 /// The error message for a wrong command line, with a second line that refers to the help. An unknown word is
 /// reported before a missing word.

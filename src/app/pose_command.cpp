@@ -8,15 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "files/export.h"
-#include "formats/format_table.h"
 #include "shapes/example_posing.h"
+#include "formats/format_table.h"
 
 namespace viete::app {
 

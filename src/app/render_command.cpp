@@ -1,10 +1,8 @@
 // viete render MODEL [CAGE] [--pose POSE] -o FILE, or viete render SESSION -o FILE: renders a picture.
 #include <memory>
 
-#include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
-#include "app/options.h"
 #include "base/error.h"
 #include "formats/source.h"
 

@@ -1,3 +1,5 @@
+// The program `viete`: its commands, and the small command `manual [CHAPTER]`, which opens the manual in the
+// browser.
 #include "app/command_line.h"
 
 #include <spawn.h>
@@ -7,12 +9,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/assets.h"
+#include "app/child_process.h"
 #include "app/options.h"
 #include "base/error.h"
 
@@ -95,10 +100,34 @@ void add_commands(CLI::App& app, Action& action) {
   app.add_subcommand("report", report_text);
 }
 
+bool has_display() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+    const char* const value = std::getenv(name);
+    if (value && *value) return true;
+  }
+  return false;
+}
+
+int show_manual(const std::string& chapter) {
+  const std::filesystem::path page = manual_page(chapter);
+  std::printf("%s\n", page.c_str());
+  if (has_display()) open_in_browser(page);
+  return exit_ok;
+}
+
 }  // namespace
 
 Program viete_program() {
   return {add_commands, with_command};
+}
+
+void add_manual_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("manual", "Open the manual in the browser");
+  auto chapter = std::make_shared<std::string>();
+  command->add_option("CHAPTER", *chapter, "Chapter, for example cages, blending or python")
+      ->default_str("the first page");
+  add_examples(*command, {"manual", "manual cages"});
+  command->callback([chapter, &action] { action = [chapter] { return show_manual(*chapter); }; });
 }
 
 }  // namespace viete::app

@@ -8,15 +8,9 @@
 #include <utility>
 
 #include "app/assets.h"
-#include "app/autosave.h"
-#include "app/command_line.h"
-#include "app/file_desk.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
-#include "app/options.h"
-#include "app/viewer.h"
 #include "base/atomic_file.h"
-#include "base/clock.h"
 #include "base/error.h"
 #include "platform/window.h"
 #include "workspace/apply_opened.h"
@@ -71,59 +65,53 @@ public:
 
   Viewer& viewer() { return viewer_; }
   // If `frames` is 0, runs until the window is closed. Otherwise, also ends after this number of frames.
-  void run(int frames);
+  void run(int frames) {
+    double last = base::wall_seconds();
+    for (int drawn = 0; frames == 0 || drawn < frames;) {
+      window_.wait_for_events(exposed_ || frames > 0 ? 0 : viewer_.due_in());
+      if (window_.asked_to_close()) viewer_.workspace().jobs.wishes.add(workspace::CloseProgram{});
+      if (!exposed_ && !viewer_.wants_frame() && frames == 0) continue;
+      const double now = base::wall_seconds();
+      draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
+      last = now;
+      if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // replaces vsync if nothing was presented
+      if (viewer_.closed()) return;
+      if (!viewer_.loading()) ++drawn;
+    }
+  }
 
 private:
-  void draw(float seconds, bool exposed = false);
-  void follow_full_screen();
-  void follow_scale();
+  void draw(float seconds, bool exposed) {
+    viewer_.frame(seconds);
+    if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
+    window_.set_title(workspace::window_title(viewer_.workspace()));
+    follow_full_screen();
+    follow_scale();
+  }
+
+  // Full screen has no title bar, so a message shows how to leave full screen.
+  void follow_full_screen() {
+    workspace::Workspace& w = viewer_.workspace();
+    if (w.view.full_screen == window_.full_screen()) return;
+    window_.set_full_screen(w.view.full_screen);
+    w.view.full_screen = window_.full_screen();  // full screen may not be available
+    exposed_ = true;
+    if (!w.view.full_screen) return;
+    const workspace::Command& command = *workspace::find_command("toggle_full_screen");
+    const std::string key = workspace::text(w.preferences.keymap.of(command).first);
+    w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
+  }
+
+  void follow_scale() {
+    const std::optional<float> wanted = viewer_.workspace().preferences.scale;
+    if (std::exchange(scale_, wanted) != wanted) window_.set_scale(wanted.value_or(0));
+  }
 
   platform::Window& window_;
   Viewer viewer_;
   bool exposed_ = true;
   std::optional<float> scale_;  // the preference that the window has applied
 };
-
-void WindowViewer::follow_scale() {
-  const std::optional<float> wanted = viewer_.workspace().preferences.scale;
-  if (std::exchange(scale_, wanted) != wanted) window_.set_scale(wanted.value_or(0));
-}
-
-// Full screen has no title bar, so a message shows how to leave full screen.
-void WindowViewer::follow_full_screen() {
-  workspace::Workspace& w = viewer_.workspace();
-  if (w.view.full_screen == window_.full_screen()) return;
-  window_.set_full_screen(w.view.full_screen);
-  w.view.full_screen = window_.full_screen();  // full screen may not be available
-  exposed_ = true;
-  if (!w.view.full_screen) return;
-  const workspace::Command& command = *workspace::find_command("toggle_full_screen");
-  const std::string key = workspace::text(w.preferences.keymap.of(command).first);
-  w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
-}
-
-void WindowViewer::draw(float seconds, bool exposed) {
-  viewer_.frame(seconds);
-  if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
-  window_.set_title(workspace::window_title(viewer_.workspace()));
-  follow_full_screen();
-  follow_scale();
-}
-
-void WindowViewer::run(int frames) {
-  double last = base::wall_seconds();
-  for (int drawn = 0; frames == 0 || drawn < frames;) {
-    window_.wait_for_events(exposed_ || frames > 0 ? 0 : viewer_.due_in());
-    if (window_.asked_to_close()) viewer_.workspace().jobs.wishes.add(workspace::CloseProgram{});
-    if (!exposed_ && !viewer_.wants_frame() && frames == 0) continue;
-    const double now = base::wall_seconds();
-    draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
-    last = now;
-    if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // replaces vsync if nothing was presented
-    if (viewer_.closed()) return;
-    if (!viewer_.loading()) ++drawn;
-  }
-}
 
 // Returns the preferences, or defaults if they cannot be read. The viewer reports the error.
 workspace::Preferences last_preferences() {
@@ -150,9 +138,8 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   workspace.jobs.wishes.open(options.inputs.request());
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
-  if (viewer.keeping()) {
+  if (viewer.keeping())
     std::fprintf(stderr, "viete: unsaved edits were backed up; restore them at the next start\n");
-  }
   return true;
 }
 

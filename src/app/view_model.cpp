@@ -1,28 +1,41 @@
 #include "app/view_model.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "document/checks.h"
-#include "document/document.h"
-#include "document/edit.h"
-#include "mesh/normals.h"
+#include "base/memory.h"
+#include "weights/bind.h"
 #include "pose/cage.h"
 #include "pose/maps.h"
+#include "pose/deformer.h"
+#include "weights/tiled_binding.h"
+#include "document/checks.h"
+#include "document/edit.h"
+#include "mesh/normals.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
 #include "sym3/reference.h"
 #include "sym3/small_matrices.h"
-#include "weights/bind.h"
-#include "weights/binding.h"
 #include "workspace/playing.h"
 
 namespace viete::app {
 
 namespace {
+
+std::shared_ptr<const weights::Binding> bind_draft(const std::shared_ptr<const mesh::Draft>& draft,
+                                                  const pose::Cage& cage, const weights::TiledBinding& whole,
+                                                  base::WorkerPool& pool, base::Progress& progress) {
+  const auto slots = weights::slots_of(whole.leaves);
+  const auto row = [&](std::uint32_t v, std::span<double> weights) {
+    whole.kept_row(slots[draft->vertices[v]], weights);
+  };
+  progress.section(progress.done(), 1);
+  auto tiles = std::make_shared<const weights::TiledBinding>(weights::bind_tiles(
+      draft->surface, cage, whole.weighting, pool, weights::usual_tolerance, &progress, {}, row));
+  const std::shared_ptr<const mesh::Surface> surface(draft, &draft->surface);
+  return std::make_shared<const weights::Binding>(weights::with_tiles(surface, cage, std::move(tiles)));
+}
 
 // Returns the matrix, or only its rotation if the matrix is nearly singular, because drags invert the matrix.
 sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
@@ -32,7 +45,48 @@ sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
   return least > flattest * largest ? map : rotation;
 }
 
+// The document's pose with the other interpolation (linear or log space), or null on an error.
+document::SharedPose other_pose(workspace::Workspace& w) {
+  try {
+    return workspace::pose_by_other_blending(w);
+  } catch (const base::Error&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
+
+Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const pose::Cage> cage,
+           const pose::Deformer& deformer, sym3::Method method, const Bound& known, base::Progress& progress,
+           const std::shared_ptr<const mesh::Draft>& draft) {
+  using pose::EngineKind;
+  const pose::Weighting& weighting = deformer.weighting;
+  base::WorkerPool pool;
+  const bool same = known.binding && known.model == model && known.cage == cage;
+  const bool shared = same && known.binding->weighting == weighting;
+  Bound bound{model, cage, shared ? known.binding : nullptr, same ? known.stitching : nullptr,
+              shared ? known.draft : nullptr};
+  auto& binding = bound.binding;
+  const bool staged = pose::engine_for(deformer, method) == EngineKind::staged;
+  if (!binding || !binding->tiles) {
+    if (staged) progress.section(0, 0.5);
+    binding = std::make_shared<const weights::Binding>(
+        weights::bind(model, *cage, weighting, EngineKind::fused, nullptr, pool, &progress));
+  }
+  if (staged && binding->weights.empty()) {
+    progress.section(progress.done(), 1);
+    binding = std::make_shared<const weights::Binding>(
+        weights::bind(model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
+  }
+  if (draft && !bound.draft) bound.draft = bind_draft(draft, *cage, *binding->tiles, pool, progress);
+  if (deformer.stitched() && !bound.stitches(deformer)) {
+    progress.section(progress.done(), 1);
+    bound.stitching =
+        std::make_shared<const deform::Stitching>(deform::stitch(*model, *cage, pool, deformer, &progress));
+  }
+  base::release_freed_memory();
+  return bound;
+}
 
 LiveModel::Changed LiveModel::follow(workspace::Workspace& w, const std::shared_ptr<const mesh::Draft>& draft,
                                      Bound known) {
@@ -133,8 +187,8 @@ void LiveModel::share(const std::shared_ptr<const weights::Binding>& binding) {
 
 void LiveModel::renew_deformer(const pose::Deformer& deformer) {
   make_deformer(deformer, pool_);
-  draft_ = bound_.draft ? std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.draft, deformer, pool_)
-                        : nullptr;
+  draft_ =
+      bound_.draft ? std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.draft, deformer, pool_) : nullptr;
   derived_.reset(), drafted_.reset();
   unprepared_ = true;
 }
@@ -250,19 +304,6 @@ mesh::Point LiveModel::vertex(const document::Document& document, std::size_t in
   const auto& p = deformer_->vertices()[index].position;
   return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
 }
-
-namespace {
-
-// The document's pose with the other interpolation (linear or log space), or null on an error.
-document::SharedPose other_pose(workspace::Workspace& w) {
-  try {
-    return workspace::pose_by_other_blending(w);
-  } catch (const base::Error&) {
-    return nullptr;
-  }
-}
-
-}  // namespace
 
 SideModel::Made SideModel::made_of(const workspace::SplitView& side, const workspace::Workspace& w) {
   const Need need{w.document.has_cage() ? side.deformer : pose::no_motion(), side.method};

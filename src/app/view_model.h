@@ -7,17 +7,42 @@
 #include <string>
 #include <utility>
 
-#include "app/bound.h"
 #include "base/background.h"
+#include "base/progress.h"
 #include "base/worker_pool.h"
+#include "weights/binding.h"
 #include "deform/frame_deformer.h"
+#include "pose/probe.h"
+#include "deform/stitching.h"
 #include "document/document.h"
 #include "mesh/adjacency.h"
-#include "pose/probe.h"
+#include "mesh/drawing.h"
 #include "sym3/rotation.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {
+
+/// A model bound to a cage: the input of a deformer.
+struct Bound {
+  std::shared_ptr<const mesh::Surface> model;
+  std::shared_ptr<const pose::Cage> cage;
+  std::shared_ptr<const weights::Binding> binding;
+  std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched deformer is bound
+  std::shared_ptr<const weights::Binding> draft{};        ///< binding of the model's draft, or null
+
+  bool stitches(const pose::Deformer& deformer) const { return stitching && stitching->serves(deformer); }
+  /// True if this is a binding of the document's model to the document's cage, with any weights.
+  bool binds(const document::Document& document) const {
+    return binding && model == document.model().surface && cage == document.cage();
+  }
+};
+
+/// Binds the model for the engines of this deformer and method. Reuses parts of `known` with the same input.
+/// Also binds the draft if there is one. Throws base::Error if memory is insufficient, base::Cancelled if
+/// cancelled. Thread-safe.
+Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const pose::Cage> cage,
+           const pose::Deformer& deformer, sym3::Method method, const Bound& known, base::Progress& progress,
+           const std::shared_ptr<const mesh::Draft>& draft = nullptr);
 
 /// True if a drag changes the cage's rest shape. During this drag, the model does not change.
 inline bool changes_rest(const workspace::Workspace& w) {
@@ -105,8 +130,8 @@ protected:
         std::move(name));
   }
   void make_deformer(const pose::Deformer& deformer, base::WorkerPool& pool) {
-    deformer_ = std::make_unique<deform::FrameDeformer>(
-        bound_.cage, bound_.binding, deformer, pool, bound_.stitches(deformer) ? bound_.stitching : nullptr);
+    deformer_ = std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.binding, deformer, pool,
+                                                   bound_.stitches(deformer) ? bound_.stitching : nullptr);
     drag_ = {};
   }
   void run(const document::Document& document, const pose::Pose& pose, const weights::SharedShape& shape,
@@ -158,9 +183,7 @@ public:
   /// model, and the next deform() is due.
   bool deform_draft(workspace::Workspace& workspace, workspace::FrameTimes& times);
   /// The deformer of the draft if the draft was deformed since the last call, otherwise null.
-  const deform::FrameDeformer* take_draft() {
-    return std::exchange(draft_news_, false) ? draft_.get() : nullptr;
-  }
+  const deform::FrameDeformer* take_draft() { return std::exchange(draft_news_, false) ? draft_.get() : nullptr; }
 
   /// True if the draft shows the current pose, but the model does not.
   bool shows_draft(const document::Document& document) const;
@@ -197,7 +220,7 @@ private:
 
   base::WorkerPool pool_;
   std::shared_ptr<const mesh::Draft> model_draft_;  // the draft of the document's model, or null
-  std::shared_ptr<const pose::Cage> no_cage_;       // substitute for a missing cage; null until needed
+  std::shared_ptr<const pose::Cage> no_cage_;     // substitute for a missing cage; null until needed
   document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;  // revisions of the last follow()
   struct Derived {
     document::Revision pose, method;

@@ -2,20 +2,15 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <ctime>
 #include <string_view>
 #include <tuple>
-#include <utility>
 #include <variant>
 
 #include "app/assets.h"
-#include "app/child_process.h"
 #include "base/atomic_file.h"
-#include "base/clock.h"
 #include "base/error.h"
 #include "document/cage_editing.h"
-#include "render/view.h"
 #include "sym3/kernel.h"
 #include "ui/panels.h"
 #include "workspace/apply_opened.h"

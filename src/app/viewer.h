@@ -1,22 +1,24 @@
-// The viewer: computes one frame, from input to picture. The window, tests and command line use it.
+// The viewer: computes one frame, from input to picture, as a list of activities. The window, tests and
+// command line use it.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/activity.h"
 #include "app/cage_maker.h"
 #include "app/field_maker.h"
 #include "app/file_desk.h"
 #include "app/method_measuring.h"
-#include "app/report_maker.h"
-#include "app/surface_checks.h"
-#include "app/vertex_inspector.h"
+#include "app/panel_results.h"
 #include "app/view_model.h"
 #include "app/workspace_renderer.h"
+#include "base/clock.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
@@ -26,6 +28,29 @@
 #include "workspace/workspace.h"
 
 namespace viete::app {
+
+/// A part of the frame that reacts to changes of its input.
+struct Activity {
+  const char* name;
+  /// Returns the seconds until step() has something to do: 0 means now, base::never means only after input or
+  /// after another activity.
+  std::function<double()> due_in;
+  /// Reacts to all changes since the last step. Returns true if panels must be drawn until their sizes
+  /// settle.
+  std::function<bool()> step;
+};
+
+/// Converts a condition to a result of Activity::due_in.
+inline double now_if(bool due) {
+  return due ? 0 : base::never;
+}
+
+/// Returns the seconds until the first of the activities is due.
+inline double due_in(std::span<const Activity> activities) {
+  double first = base::never;
+  for (const Activity& activity : activities) first = std::min(first, activity.due_in());
+  return first;
+}
 
 struct ViewerOptions {
   glm::ivec2 size{1280, 800};  ///< in logical pixels

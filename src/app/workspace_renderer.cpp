@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "document/elements.h"
 #include "workspace/pointer.h"
@@ -68,6 +67,27 @@ std::vector<glm::vec4> ramp_of_ends(const std::vector<float>& shares, const rend
 
 render::View seen(const ViewDrawing& d, const ViewDrawing::Part& part) {
   return {part.view, part.projection, d.size, d.scale};
+}
+
+using document::ElementKind;
+
+void set_triangles(render::FaceLayer& layer, const std::vector<render::Triangle>& triangles,
+                   const std::vector<mesh::Point>& positions) {
+  layer.set_triangles(triangles, positions.size());
+  if (!triangles.empty()) layer.set_positions(positions);
+}
+
+// Adds the edges of an element. A vertex has no edges.
+void add_outline(const std::vector<std::uint32_t>& corners, std::vector<render::Segment>& segments) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
+    segments.push_back({corners[i], corners[(i + 1) % n]});
+}
+
+std::vector<std::uint8_t> marks_of(const pose::Cage& cage, const document::Selection& selection) {
+  std::vector<std::uint8_t> marked(document::element_count(cage, selection.kind()), 0);
+  for (const auto i : selection.indices()) marked[i] = 1;
+  return marked;
 }
 
 }  // namespace
@@ -290,31 +310,6 @@ bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fi
   return true;
 }
 
-namespace {
-
-using document::ElementKind;
-
-void set_triangles(render::FaceLayer& layer, const std::vector<render::Triangle>& triangles,
-                   const std::vector<mesh::Point>& positions) {
-  layer.set_triangles(triangles, positions.size());
-  if (!triangles.empty()) layer.set_positions(positions);
-}
-
-// Adds the edges of an element. A vertex has no edges.
-void add_outline(const std::vector<std::uint32_t>& corners, std::vector<render::Segment>& segments) {
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
-    segments.push_back({corners[i], corners[(i + 1) % n]});
-}
-
-std::vector<std::uint8_t> marks_of(const pose::Cage& cage, const document::Selection& selection) {
-  std::vector<std::uint8_t> marked(document::element_count(cage, selection.kind()), 0);
-  for (const auto i : selection.indices()) marked[i] = 1;
-  return marked;
-}
-
-}  // namespace
-
 bool CageMarks::set(const workspace::Workspace& w, const render::Theme& theme) {
   Marks marks;
   marks.positions = w.document.pose().positions;
@@ -369,13 +364,8 @@ void CageMarks::draw(const render::View& view, const render::Theme& theme) const
   edges_.draw(view, {2.25f, 1, 0.4f, theme.halo});
 }
 
-namespace {
-
-constexpr std::size_t most = 20000;  // the largest number of drawn elements; more would hide the surface
-
-}  // namespace
-
 void FindingMarks::collect(const workspace::Workspace& w) {
+  constexpr std::size_t most = 20000;  // the largest number of drawn elements; more would hide the surface
   std::vector<render::Triangle> triangles;
   std::vector<render::Segment> segments;
   // Numbers only the vertices of shown elements, so that only these vertices are updated.

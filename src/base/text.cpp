@@ -74,6 +74,18 @@ std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::string joined(std::span<const std::string> texts, std::string_view separator, std::size_t most) {
+  std::string all;
+  for (const std::string& text : texts.first(std::min(most, texts.size())))
+    all.append(&text == texts.data() ? "" : separator).append(text);
+  return texts.size() > most ? all + " ..." : all;
+}
+
+std::string listed(std::span<const std::string> texts, std::string_view last) {
+  if (texts.size() < 2) return joined(texts);
+  return joined(texts.first(texts.size() - 1)).append(last) + texts.back();
+}
+
 std::string memory_size(double bytes) {
   const double megabytes = std::max(1.0, bytes * 1e-6);
   return megabytes < 999.5 ? formatted("%.0f MB", megabytes) : formatted("%.1f GB", megabytes * 1e-3);

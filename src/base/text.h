@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,13 @@ std::string cut(std::string_view text, std::size_t most);
 std::string with_thousands(std::size_t n);
 /// Returns text such as "1 face" or "3 faces".
 std::string counted(std::size_t count, const std::string& noun);
+/// Returns the texts with separators. After `most` texts, ends with " ...".
+std::string joined(std::span<const std::string> texts, std::string_view separator = ", ",
+                   std::size_t most = std::string_view::npos);
+
+/// Returns a list such as "a", "a or b" or "a, b or c". `last` precedes the last text.
+std::string listed(std::span<const std::string> texts, std::string_view last = " or ");
+
 /// Returns text such as "88 MB" or "1.2 GB"; at least "1 MB". A megabyte is a million bytes.
 std::string memory_size(double bytes);
 /// Writes two decimals below 10, one below 100, and no decimals from 100: "0.42", "12.3", "4567".

@@ -62,9 +62,8 @@ template <class T>
 std::vector<Sym3<T>> paper_ensemble(std::size_t count, unsigned seed = usual_seed) {
   return made<T>(count, seed, [](Random& random, std::size_t) -> Sym3<T> {
     double m[3][3];
-    for (auto& row : m) {
+    for (auto& row : m)
       for (double& x : row) x = uniform(random, -1, 1);
-    }
     const auto dot = [&](int i, int j) {
       return static_cast<T>(m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2]);
     };

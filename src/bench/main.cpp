@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.h"
 #include "bench/options.h"
 
 namespace {

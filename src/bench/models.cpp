@@ -89,11 +89,35 @@ mesh::Surface of_size(mesh::Surface model, std::size_t count) {
   while (count > 2 * model.positions.size()) model = subdivided(model);
   if (count == 0 || 2 * count > model.positions.size()) return model;
   std::vector<mesh::Triangle> kept;
-  for (const auto& t : model.triangles) {
+  for (const auto& t : model.triangles)
     if (t[0] < count && t[1] < count && t[2] < count) kept.push_back(t);
-  }
   model.positions.resize(std::max<std::size_t>(count, 3));
   return mesh::from_triangles(std::move(model.positions), kept);
+}
+
+using mesh::norm, mesh::squared_norm;
+
+bool has_area(std::span<const Point> p, const mesh::Triangle& t) {
+  return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]);
+}
+
+// The common apex of all tetrahedra is a vertex, so that models far from 0 lose no digits.
+double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
+  const Point& apex = p[triangles[0][0]];
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) sum += dot(p[a] - apex, cross(p[b] - apex, p[c] - apex));
+  return sum / 6;
+}
+
+// Returns the angle between the normals of the triangles a b c and b a d, or 0 if they are coplanar.
+double hinge_angle(std::span<const Point> p, const std::array<std::uint32_t, 4>& corners) {
+  const auto& [a, b, c, d] = corners;
+  const Point edge = p[b] - p[a], n = cross(edge, p[c] - p[a]), m = cross(p[d] - p[a], edge);
+  return std::atan2(dot(edge, cross(n, m)) / norm(edge), dot(n, m));
+}
+
+std::uint32_t opposite(const mesh::Triangle& t, const mesh::Edge& edge) {
+  return *std::find_if(t.begin(), t.end(), [&](auto v) { return v != edge[0] && v != edge[1]; });
 }
 
 }  // namespace
@@ -145,9 +169,8 @@ mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces) {
   const Point center = mesh::bounds(model.positions).center();
   const auto radii = radii_around(model, center, unit, triangles);
   std::vector<Point> positions(unit.size());
-  for (std::size_t i = 0; i < unit.size(); ++i) {
+  for (std::size_t i = 0; i < unit.size(); ++i)
     for (int k = 0; k < 3; ++k) positions[i][k] = center[k] + 1.06 * radii[i] * unit[i][k];
-  }
   return mesh::from_triangles(std::move(positions), triangles);
 }
 
@@ -169,35 +192,6 @@ pose::Pose moderate_pose(const pose::Cage& cage) {
   }
   return pose;
 }
-
-namespace {
-
-using mesh::norm, mesh::squared_norm;
-
-bool has_area(std::span<const Point> p, const mesh::Triangle& t) {
-  return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]);
-}
-
-// The common apex of all tetrahedra is a vertex, so that models far from 0 lose no digits.
-double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
-  const Point& apex = p[triangles[0][0]];
-  double sum = 0;
-  for (const auto& [a, b, c] : triangles) sum += dot(p[a] - apex, cross(p[b] - apex, p[c] - apex));
-  return sum / 6;
-}
-
-// Returns the angle between the normals of the triangles a b c and b a d, or 0 if they are coplanar.
-double hinge_angle(std::span<const Point> p, const std::array<std::uint32_t, 4>& corners) {
-  const auto& [a, b, c, d] = corners;
-  const Point edge = p[b] - p[a], n = cross(edge, p[c] - p[a]), m = cross(p[d] - p[a], edge);
-  return std::atan2(dot(edge, cross(n, m)) / norm(edge), dot(n, m));
-}
-
-std::uint32_t opposite(const mesh::Triangle& t, const mesh::Edge& edge) {
-  return *std::find_if(t.begin(), t.end(), [&](auto v) { return v != edge[0] && v != edge[1]; });
-}
-
-}  // namespace
 
 RestModel::RestModel(const mesh::Surface& model) : positions_(model.positions), triangles_(model.triangles) {
   add_faces(model);

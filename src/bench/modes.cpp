@@ -1,6 +1,7 @@
 #include "bench/modes.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <deque>
 #include <limits>
 #include <set>
@@ -11,16 +12,17 @@
 #include "base/median.h"
 #include "base/text.h"
 #include "bench/table.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
 #include "deform/frame_deformer.h"
+#include "pose/maps.h"
+#include "pose/pose_io.h"
 #include "mesh/edge_paths.h"
 #include "mesh/normals.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
-#include "pose/maps.h"
-#include "pose/pose_io.h"
-#include "weights/bind.h"
-#include "weights/binding.h"
+#include "sym3/kernel.h"
 
 namespace viete::bench {
 
@@ -174,13 +176,12 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Uses a fused binding for stitched deformers, and otherwise a staged binding. Staged bindings are large,
-  // so only the last one is kept.
+  // Uses a fused binding for stitched deformers, and otherwise a staged binding. Staged bindings are large, so
+  // only the last one is kept.
   void measure_shapes(Mode& mode) {
     const pose::Weighting& weighting = mode.deformer.weighting;
     if (mode.deformer.stitched()) {
-      deform::FrameDeformer deformer(cage_, fused(weighting).binding, mode.deformer, all_,
-                                     stitching(mode.deformer));
+      deform::FrameDeformer deformer(cage_, fused(weighting).binding, mode.deformer, all_, stitching(mode.deformer));
       return measure_shapes(mode, deformer);
     }
     if (!staged_ || !(staged_->weighting == weighting)) {
@@ -214,8 +215,7 @@ public:
     const Bound& bound = fused(weighting);
     mode.bind_ms = bound.ms;
     auto frame = std::make_unique<deform::FrameDeformer>(
-        cage_, bound.binding, mode.deformer, one_,
-        mode.deformer.stitched() ? stitching(mode.deformer) : nullptr);
+        cage_, bound.binding, mode.deformer, one_, mode.deformer.stitched() ? stitching(mode.deformer) : nullptr);
     if (!frame->engine(method_)) {
       const auto both = std::make_shared<const weights::Binding>(weights::bind(
           mesh::lent(surface_), *cage_, weighting, pose::EngineKind::staged, bound.binding.get(), all_));
@@ -262,15 +262,13 @@ private:
 
   std::shared_ptr<const deform::Stitching> stitching(const pose::Deformer& deformer) {
     if (!stitching_ || !stitching_->serves(deformer))
-      stitching_ =
-          std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, deformer));
+      stitching_ = std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, deformer));
     return stitching_;
   }
 
   void note(const std::vector<std::string>& warnings) {
-    for (const auto& w : warnings) {
+    for (const auto& w : warnings)
       if (std::ranges::find(warnings_, w) == warnings_.end()) warnings_.push_back(w);
-    }
   }
 
   double gap_of(const pose::Pose& pose, std::span<const mesh::Point> positions) const {
@@ -321,9 +319,8 @@ std::vector<pose::Deformer> measured_deformers(const ModeSettings& settings) {
 std::vector<Mode> modes_by_weights(const std::vector<pose::Deformer>& deformers) {
   std::vector<Mode> modes;
   for (const pose::Deformer& deformer : deformers) {
-    const auto alike = std::find_if(modes.rbegin(), modes.rend(), [&](const Mode& m) {
-      return m.deformer.weighting == deformer.weighting;
-    });
+    const auto alike = std::find_if(modes.rbegin(), modes.rend(),
+                                    [&](const Mode& m) { return m.deformer.weighting == deformer.weighting; });
     Mode mode;
     mode.deformer = deformer;
     modes.insert(alike == modes.rend() ? modes.end() : alike.base(), std::move(mode));
@@ -336,9 +333,8 @@ double ratio(double value, double of) {
 }
 
 void compare_with_mean_values(std::vector<Mode>& modes) {
-  const auto reference = std::ranges::find_if(modes, [](const Mode& m) {
-    return m.problem.empty() && preset_of(m.deformer) == pose::Preset::mean_value;
-  });
+  const auto reference = std::ranges::find_if(
+      modes, [](const Mode& m) { return m.problem.empty() && preset_of(m.deformer) == pose::Preset::mean_value; });
   if (reference == modes.end()) return;
   const std::vector<ShapeQuality> theirs = reference->qualities;
   for (Mode& mode : modes) {
@@ -392,6 +388,190 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
   for (const auto& file : files)
     poses.push_back({without_prefix(file.stem().string(), "pose_"), pose::read_pose(file, cage, warnings)});
   return poses;
+}
+
+namespace {
+
+constexpr const char* modes_legend =
+    R"(  moved, rigid, similar, affine: largest distance of the model from a map of this kind that poses the
+    whole cage, in diagonals; exact: below 1e-9
+  leak: one cage vertex moves by a tenth of the diagonal; how far vertices more than a quarter of the diagonal
+    away move, in diagonals; median over the model and over 8 cage vertices
+  frame, bind: processor time of one thread in ms; *: stage by stage, in double
+  volume: relative to rest
+  energy: symmetric Dirichlet energy of the triangles, mean by area, 0 at rest
+  x mvc: relative to mean value coordinates
+  bending: energy of the changes of angle between triangles (discrete shells); kinks increase it
+  gap: mean distance of the surface from the posed nearest points of the cage, in diagonals
+  torn: largest change of distance between vertices close at rest but not joined by edges, in diagonals
+)";
+
+/// A member of ShapeQuality, with its column in the table of a pose and its key in JSON.
+struct Measure {
+  const char *column, *key;
+  double ShapeQuality::*value;
+  const char* format;
+};
+
+constexpr Measure measures[] = {{"volume", "volume", &ShapeQuality::volume, "%.4f"},
+                                {"energy", "energy", &ShapeQuality::energy, "%.3g"},
+                                {"x mvc", "energy_to_mean_value", &ShapeQuality::energy_ratio, "%.3f"},
+                                {"bending", "bending", &ShapeQuality::bending, "%.3g"},
+                                {"x mvc", "bending_to_mean_value", &ShapeQuality::bending_ratio, "%.3f"},
+                                {"gap", "gap", &ShapeQuality::gap, "%.4f"},
+                                {"torn", "torn", &ShapeQuality::torn, "%.2e"},
+                                {"x mvc", "torn_to_mean_value", &ShapeQuality::torn_ratio, "%.2f"}};
+
+struct Summary {
+  const char* column;
+  double ShapeQuality::*value;
+  double OverPoses::*over;
+  const char* format;
+};
+
+constexpr Summary summaries[] = {{"volume", &ShapeQuality::volume, &OverPoses::least, "%.4f"},
+                                 {"to", &ShapeQuality::volume, &OverPoses::most, "%.4f"},
+                                 {"energy", &ShapeQuality::energy_ratio, &OverPoses::middle, "%.3f"},
+                                 {"worst", &ShapeQuality::energy_ratio, &OverPoses::most, "%.3f"},
+                                 {"bending", &ShapeQuality::bending_ratio, &OverPoses::middle, "%.3f"},
+                                 {"worst", &ShapeQuality::bending_ratio, &OverPoses::most, "%.3f"},
+                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"},
+                                 {"torn", &ShapeQuality::torn, &OverPoses::most, "%.2e"},
+                                 {"x mvc", &ShapeQuality::torn_ratio, &OverPoses::most, "%.2f"}};
+
+std::string cell(double value, const char* format) {
+  return std::isnan(value) ? "-" : base::formatted(format, value);
+}
+
+std::string name_of(const Mode& mode) {
+  const auto preset = pose::preset_of(mode.deformer);
+  return (preset ? std::string(base::entry_of(*preset).word) + ": " : "") + pose::text(mode.deformer);
+}
+
+template <class Row>
+void print_modes(const std::string& title, std::vector<std::string> columns, std::span<const Mode> modes,
+                 const Row& row) {
+  Table table{std::move(columns), {}};
+  for (const Mode& mode : modes) {
+    if (!mode.problem.empty()) continue;
+    table.rows.push_back(row(mode));
+    table.rows.back().insert(table.rows.back().begin(), name_of(mode));
+  }
+  print(title, table);
+}
+
+std::vector<std::string> own_cells(const Mode& mode) {
+  std::vector<std::string> cells;
+  for (const double d : mode.deviations) cells.push_back(d <= exactly ? "exact" : cell(d, "%.1e"));
+  cells.insert(cells.end(), {cell(mode.leak, "%.1e"), cell(mode.frame_ms, mode.fused ? "%.3f" : "%.3f*"),
+                             cell(mode.bind_ms, "%.1f")});
+  return cells;
+}
+
+template <class Entries>
+std::vector<std::string> columns_of(const Entries& entries) {
+  std::vector<std::string> columns = {""};
+  for (const auto& entry : entries) columns.emplace_back(entry.column);
+  return columns;
+}
+
+void print_notes(const ModeComparison& compared, std::span<const NamedPose> poses) {
+  std::printf("\ngap at rest: %.4f\n", compared.rest_gap);
+  if (!compared.encloses) std::printf("note: the model is not closed, so volumes are not compared\n");
+  if (compared.without_area)
+    std::printf("note: %zu triangles of the model have no area at rest and are ignored\n",
+                compared.without_area);
+  for (const auto& warning : compared.warnings) std::printf("note: %s\n", warning.c_str());
+  for (const Mode& mode : compared.modes) {
+    const std::string name = name_of(mode);
+    if (!mode.problem.empty())
+      std::printf("note: %s was not measured: %s\n", name.c_str(), mode.problem.c_str());
+    for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
+      if (const auto collapsed = mode.qualities[p].collapsed)
+        std::printf("note: %s, %s: %zu triangles have collapsed\n", name.c_str(), poses[p].name.c_str(),
+                    collapsed);
+    }
+  }
+}
+
+nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
+  const pose::Deformer& deformer = mode.deformer;
+  nlohmann::json json = {{"name", pose::text(deformer)},
+                         {"weights", base::entry_of(deformer.weighting.weights).word},
+                         {"blend", base::entry_of(deformer.blend).word}};
+  if (const auto preset = pose::preset_of(deformer)) json["deformer"] = base::entry_of(*preset).word;
+  if (!mode.problem.empty()) {
+    json["problem"] = mode.problem;
+    return json;
+  }
+  for (std::size_t i = 0; i < mode.deviations.size(); ++i)
+    json["deviations"][whole_poses()[i].name] = mode.deviations[i];
+  json["leak"] = mode.leak;
+  json["fused"] = mode.fused;
+  json["frame_ms"] = mode.frame_ms;
+  json["bind_ms"] = mode.bind_ms;
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    nlohmann::json pose = {{"pose", poses[p].name}, {"collapsed", mode.qualities[p].collapsed}};
+    for (const Measure& m : measures) pose[m.key] = mode.qualities[p].*m.value;
+    json["poses"].push_back(std::move(pose));
+  }
+  return json;
+}
+
+void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
+  print_modes("independent of the poses",
+              {"", "moved", "rigid", "similar", "affine", "leak", "frame", "bind"}, compared.modes,
+              own_cells);
+  for (std::size_t p = 0; p < poses.size(); ++p)
+    print_modes(poses[p].name, columns_of(measures), compared.modes, [&](const Mode& mode) {
+      std::vector<std::string> cells;
+      for (const Measure& m : measures) cells.push_back(cell(mode.qualities[p].*m.value, m.format));
+      return cells;
+    });
+  if (poses.size() > 1)
+    print_modes("all " + std::to_string(poses.size()) +
+                    " poses; energy and bending x mvc: median and worst; gap: median; torn: worst",
+                columns_of(summaries), compared.modes, [](const Mode& mode) {
+                  std::vector<std::string> cells;
+                  for (const Summary& s : summaries)
+                    cells.push_back(cell(over_poses(mode, s.value).*s.over, s.format));
+                  return cells;
+                });
+  print_notes(compared, poses);
+}
+
+}  // namespace
+
+OverPoses over_poses(const Mode& mode, double ShapeQuality::*value) {
+  std::vector<double> values;
+  for (const ShapeQuality& q : mode.qualities) values.push_back(q.*value);
+  std::erase_if(values, [](double v) { return std::isnan(v); });
+  if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
+  std::sort(values.begin(), values.end());
+  return {values.front(), values[values.size() / 2], values.back()};
+}
+
+nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses) {
+  nlohmann::json results = nlohmann::json::array();
+  for (const Mode& mode : compared.modes) results.push_back(to_json(mode, poses));
+  return {{"figure", "modes"}, {"rest_gap", compared.rest_gap}, {"results", results}};
+}
+
+void bench_modes(const ModelOptions& options, ModeSettings settings) {
+  const document::Document opened = open_model(options.model, options.cage);
+  const mesh::Surface& model = *opened.model().surface;
+  std::vector<std::string> warnings = opened.cage()->warnings;
+  const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage(), warnings);
+  std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
+              base::with_thousands(model.positions.size()).c_str(), opened.cage()->surface.triangles.size(),
+              std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
+              processor_name().c_str(), modes_legend);
+  for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
+  base::Progress progress;
+  settings.rounds = options.rounds;
+  const ModeComparison compared = measure_modes(model, opened.cage(), poses, settings, progress);
+  print(compared, poses);
+  write_json(options.json, to_json(compared, poses));
 }
 
 }  // namespace viete::bench

@@ -5,14 +5,10 @@
 
 #include "app/assets.h"
 #include "app/inputs.h"
-#include "app/options.h"
-#include "base/memory.h"
 #include "base/text.h"
-#include "bench/accuracy.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
-#include "bench/table.h"
 #include "formats/format_table.h"
 #include "sym3/kernel.h"
 

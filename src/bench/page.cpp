@@ -8,7 +8,6 @@
 
 #include "app/assets.h"
 #include "base/text.h"
-#include "bench/plot.h"
 #include "sym3/kernel.h"
 
 namespace viete::bench {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/text.h"
 #include "bench/table.h"
@@ -25,49 +26,68 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-Svg::Svg(double width, double height) {
-  body_ = formatted(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" "
-      "font-family=\"Inter, 'Helvetica Neue', Arial, sans-serif\">\n"
-      "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
-      width, height, width, height);
-}
-
-void Svg::text(SvgPoint at, std::string_view text, const SvgText& style) {
-  body_ += formatted("<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" font-size=\"%g\" text-anchor=\"%s\"", at.x,
-                     at.y, style.color, style.size, style.anchor);
-  if (style.strong) body_ += " font-weight=\"600\"";
-  body_ += ">" + escaped(text) + "</text>\n";
-}
-
-void Svg::line(SvgPoint from, SvgPoint to, const char* color, double width) {
-  body_ +=
-      formatted("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%g\"/>\n",
-                from.x, from.y, to.x, to.y, color, width);
-}
-
-void Svg::curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed) {
-  body_ += formatted(
-      "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linejoin=\"round\" "
-      "stroke-linecap=\"round\"",
-      color, width);
-  if (dashed) body_ += " stroke-dasharray=\"1.5 5\"";
-  body_ += " points=\"";
-  for (const SvgPoint& p : points) body_ += formatted("%.1f,%.1f ", p.x, p.y);
-  body_ += "\"/>\n";
-}
-
-void Svg::disc(SvgPoint center, double radius, const char* color) {
-  body_ += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%g\" fill=\"%s\"/>\n", center.x, center.y, radius,
-                     color);
-}
-
-void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
-  body_ += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"2\" fill=\"%s\"/>\n",
-                     corner.x, corner.y, width, height, color);
-}
-
 namespace {
+
+struct SvgPoint {
+  double x, y;
+};
+
+struct SvgText {
+  const char* color = "#1f2933";
+  double size = 12;
+  const char* anchor = "start";  ///< "start", "middle" or "end"
+  bool strong = false;
+};
+
+/// A picture. Lengths are in pixels, y points down, colours are as in CSS. The y of a text is the baseline.
+class Svg {
+public:
+  Svg(double width, double height)
+      : body_(formatted(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" "
+            "font-family=\"Inter, 'Helvetica Neue', Arial, sans-serif\">\n"
+            "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
+            width, height, width, height)) {}
+
+  void text(SvgPoint at, std::string_view text, const SvgText& style = {}) {
+    body_ += formatted("<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" font-size=\"%g\" text-anchor=\"%s\"", at.x,
+                       at.y, style.color, style.size, style.anchor);
+    if (style.strong) body_ += " font-weight=\"600\"";
+    body_ += ">" + escaped(text) + "</text>\n";
+  }
+
+  void line(SvgPoint from, SvgPoint to, const char* color, double width) {
+    body_ += formatted(
+        "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%g\"/>\n", from.x,
+        from.y, to.x, to.y, color, width);
+  }
+
+  void curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed) {
+    body_ += formatted(
+        "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linejoin=\"round\" "
+        "stroke-linecap=\"round\"",
+        color, width);
+    if (dashed) body_ += " stroke-dasharray=\"1.5 5\"";
+    body_ += " points=\"";
+    for (const SvgPoint& p : points) body_ += formatted("%.1f,%.1f ", p.x, p.y);
+    body_ += "\"/>\n";
+  }
+
+  void disc(SvgPoint center, double radius, const char* color) {
+    body_ += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%g\" fill=\"%s\"/>\n", center.x, center.y, radius,
+                       color);
+  }
+
+  void bar(SvgPoint corner, double width, double height, const char* color) {
+    body_ += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"2\" fill=\"%s\"/>\n",
+                       corner.x, corner.y, width, height, color);
+  }
+
+  std::string document() const { return body_ + "</svg>\n"; }
+
+private:
+  std::string body_;
+};
 
 constexpr double plot_width = 400, letter = 7.7;  // `letter`: assumed width of a letter
 constexpr const char *faint = "#6b7785", *rule = "#e4e8ec";
@@ -99,11 +119,9 @@ struct Scale {
 
 Scale scale_of(const Plot& plot, double PlotCurve::Point::*value, double from, double to) {
   double low = 1e300, high = 0;
-  for (const PlotCurve& curve : plot.curves) {
-    for (const auto& p : curve.points) {
+  for (const PlotCurve& curve : plot.curves)
+    for (const auto& p : curve.points)
       if (p.ns > 0 || plot.linear) low = std::min(low, p.*value), high = std::max(high, p.*value);
-    }
-  }
   if (plot.linear) return {false, 0, 1.04 * high, from, to};
   return {true, std::log10(low) - 0.06, std::log10(high) + 0.06, from, to};
 }
@@ -235,9 +253,8 @@ std::string draw_curves(const Plot& plot) {
   draw_grid(svg, plot, x, y, area);
   for (const PlotCurve& curve : plot.curves) {
     std::vector<SvgPoint> points;
-    for (const auto& p : curve.points) {
+    for (const auto& p : curve.points)
       if (x.shows(p.count) && y.shows(p.ns)) points.push_back({x(p.count), y(p.ns)});
-    }
     svg.curve(points, curve.color, curve.dashed ? 2 : 2.5, curve.dashed);
     if (curve.dashed || plot.linear) continue;
     for (const SvgPoint& p : points) svg.disc(p, 3.5, curve.color);

@@ -1,7 +1,6 @@
 // Benchmarks as SVG pictures: bars for times, and curves for times by size.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,34 +9,6 @@ namespace viete::bench {
 
 /// Escapes `&`, `<`, `>` and `"` for text and attributes of XML.
 std::string escaped(std::string_view text);
-
-struct SvgPoint {
-  double x, y;
-};
-
-struct SvgText {
-  const char* color = "#1f2933";
-  double size = 12;
-  const char* anchor = "start";  ///< "start", "middle" or "end"
-  bool strong = false;
-};
-
-/// A picture. Lengths are in pixels, y points down, colours are as in CSS. The y of a text is the baseline.
-class Svg {
-public:
-  Svg(double width, double height);
-
-  void text(SvgPoint at, std::string_view text, const SvgText& style = {});
-  void line(SvgPoint from, SvgPoint to, const char* color, double width);
-  void curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed);
-  void disc(SvgPoint center, double radius, const char* color);
-  void bar(SvgPoint corner, double width, double height, const char* color);
-
-  std::string document() const { return body_ + "</svg>\n"; }
-
-private:
-  std::string body_;
-};
 
 struct PlotBar {
   std::string name;

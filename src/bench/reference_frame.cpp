@@ -35,29 +35,6 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
   return inside ? std::min(edges, std::abs(dot(w, n))) : edges;
 }
 
-}  // namespace
-
-void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& cage) {
-  const std::size_t k = cage.element_count();
-  const auto& corners = cage.elements.positions;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    for (std::size_t j = 0; j < k; ++j) {
-      const auto& t = cage.elements.triangles[j];
-      distances_[i * k + j] = distance_to_triangle(positions[i], corners[t[0]], corners[t[1]], corners[t[2]]);
-    }
-  }
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    double sum = 0;
-    for (std::size_t j = 0; j < k; ++j) {
-      weights_[i * k + j] = std::pow(distances_[i * k + j], -2.0);
-      sum += weights_[i * k + j];
-    }
-    for (std::size_t j = 0; j < k; ++j) weights_[i * k + j] /= sum;
-  }
-}
-
-namespace {
-
 Eigen::Matrix3d exp_stretch(const Eigen::Matrix3d& m) {
   return sym3::to_eigen(sym3::exp(sym3::from_eigen<double>(m), sym3::Method::improved_sd));
 }
@@ -87,6 +64,25 @@ Eigen::Matrix3d exp_rodrigues(const Eigen::Matrix3d& y) {
 }
 
 }  // namespace
+
+void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& cage) {
+  const std::size_t k = cage.element_count();
+  const auto& corners = cage.elements.positions;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const auto& t = cage.elements.triangles[j];
+      distances_[i * k + j] = distance_to_triangle(positions[i], corners[t[0]], corners[t[1]], corners[t[2]]);
+    }
+  }
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < k; ++j) {
+      weights_[i * k + j] = std::pow(distances_[i * k + j], -2.0);
+      sum += weights_[i * k + j];
+    }
+    for (std::size_t j = 0; j < k; ++j) weights_[i * k + j] /= sum;
+  }
+}
 
 struct ReferenceFrame::Handle {
   Eigen::Matrix3d stretch, rotation;  // logarithms
@@ -147,9 +143,8 @@ void ReferenceFrame::scatter_normals() {
     const mesh::Point n = cross(positions_[t[1]] - a, positions_[t[2]] - a);
     for (const auto corner : t) normals_[corner] = normals_[corner] + n;
   }
-  for (auto& n : normals_) {
+  for (auto& n : normals_)
     if (const double length = norm(n); length > 0) n = (1 / length) * n;
-  }
 }
 
 }  // namespace viete::bench

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "pose/cage.h"
 #include "weights/binding.h"
+#include "pose/cage.h"
 
 namespace viete::bench {
 

@@ -7,15 +7,10 @@
 #include <string>
 
 #include "app/assets.h"
-#include "app/command_line.h"
 #include "app/inputs.h"
-#include "app/options.h"
-#include "app/terminal_progress.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
-#include "base/memory.h"
-#include "bench/figures.h"
 #include "bench/page.h"
 #include "formats/format_table.h"
 

@@ -3,11 +3,7 @@
 #include <tuple>
 
 #include "base/text.h"
-#include "bench/exp.h"
-#include "bench/figures.h"
 #include "bench/page.h"
-#include "bench/plot.h"
-#include "sym3/exp.h"
 
 namespace viete::bench {
 

@@ -13,9 +13,8 @@
 namespace viete::bench {
 
 double time_of(const std::vector<BenchResult>& results, const std::string& name) {
-  for (const auto& r : results) {
+  for (const auto& r : results)
     if (r.name == name) return r.ns_per_item;
-  }
   return 0;
 }
 
@@ -102,9 +101,8 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
 
 std::string processor_name() {
   std::ifstream lines("/proc/cpuinfo");
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; std::getline(lines, line);)
     if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
-  }
   return "";
 }
 

@@ -17,7 +17,7 @@
 #include "files/animated_model.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "formats/source.h"
 #include "formats/write.h"
 

@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "document/range.h"
 #include "formats/byte_order.h"
-#include "formats/foreign_content.h"
 #include "formats/source.h"
 
 namespace viete::files {

@@ -5,7 +5,6 @@
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/document.h"
-#include "formats/foreign_content.h"
 #include "formats/format_table.h"
 #include "formats/source.h"
 

@@ -12,7 +12,7 @@
 #include "base/numbered_files.h"
 #include "base/progress.h"
 #include "document/document_state.h"
-#include "formats/morphs.h"
+#include "formats/original.h"
 #include "mesh/surface.h"
 
 namespace viete::files {

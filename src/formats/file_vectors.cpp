@@ -1,6 +1,5 @@
 #include "formats/file_vectors.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <deque>
@@ -8,9 +7,6 @@
 #include <span>
 
 #include "base/error.h"
-#include "formats/printed.h"
-#include "formats/rewriter.h"
-#include "mesh/normals.h"
 
 namespace viete::formats {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/point_cache.h"
 
@@ -33,10 +34,7 @@ std::string listing(bool (*is)(const Format&), std::string_view before, std::str
     const std::string text = std::string(before) + std::string(f.*word);
     if (is(f) && std::ranges::find(words, text) == words.end()) words.push_back(text);
   }
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    list += (i == 0 ? "" : i + 1 < words.size() ? ", " : std::string(last)) + words[i];
-  return list;
+  return base::listed(words, last);
 }
 
 }  // namespace

@@ -8,13 +8,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/foreign_content.h"
-#include "formats/gltf_accessors.h"
-#include "formats/gltf_file.h"
 #include "formats/gltf_morphs.h"
-#include "formats/gltf_original.h"
-#include "formats/gltf_scene.h"
-#include "formats/printed.h"
+#include "formats/gltf_output.h"
 #include "formats/surface_builder.h"
 #include "mesh/point_index.h"
 
@@ -117,9 +112,8 @@ private:
   // Returns the index of the texture's image, perhaps from an extension, or -1 if the image is missing.
   static int source_of(const GltfJson& texture) {
     int source = index_of(texture, "source");
-    for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+    for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"})
       if (source < 0) source = index_of(member_of(member_of(texture, "extensions"), extension), "source");
-    }
     return source;
   }
 

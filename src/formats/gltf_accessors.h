@@ -1,9 +1,11 @@
-// Reads numbers from the buffers of a glTF file, with bounds checks.
+// Reads numbers from the buffers of a glTF file, with bounds checks. Finds numbers that can be changed in
+// place.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "formats/gltf_file.h"
@@ -61,6 +63,39 @@ private:
   }
 
   const GltfFile& file_;
+};
+
+/// Finds accessors whose bytes no other accessor or image uses. Such accessors can be changed in place. Later
+/// changes of the document have no effect here. `accessors` must outlive this object.
+class GltfSharing {
+public:
+  GltfSharing(const GltfJson& document, const GltfAccessors& accessors);
+
+  std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
+
+  /// Returns true for elements of `components` floats, if no other accessor or image uses the same bytes.
+  bool is_alone(int accessor, std::size_t components);
+
+private:
+  struct Bytes {
+    std::size_t buffer, begin, end, stride;
+    std::size_t accessor;      // npos for an image
+    std::size_t furthest = 0;  // largest `end` of this and all previous ranges of the same buffer
+
+    friend bool operator<(const Bytes& a, const Bytes& b) {
+      return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
+    }
+  };
+
+  void count_uses(const GltfJson& document);
+  void list_bytes(const GltfJson& document);
+  static Bytes bytes_of(const GltfPlace& place, std::size_t accessor);
+  bool interleaved(const GltfPlace& a, const Bytes& other) const;
+
+  const GltfAccessors& accessors_;
+  std::vector<std::size_t> uses_;
+  std::vector<Bytes> bytes_;  // the used ranges, sorted by start
+  std::size_t comparisons_ = 0;
 };
 
 }  // namespace viete::formats

@@ -9,7 +9,6 @@
 #include "base/encoding.h"
 #include "base/error.h"
 #include "formats/byte_order.h"
-#include "formats/foreign_content.h"
 
 namespace viete::formats {
 
@@ -272,11 +271,9 @@ private:
   }
 
   void check_extensions() {
-    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
-      for (const GltfJson& extension : list_of(document_, key)) {
+    for (const char* key : {"extensionsUsed", "extensionsRequired"})
+      for (const GltfJson& extension : list_of(document_, key))
         if (extension.is_string()) check_extension(extension.get<std::string>(), key[10] == 'R');
-      }
-    }
   }
 
   void check_extension(const std::string& name, bool required) {
@@ -404,10 +401,9 @@ private:
 }  // namespace
 
 bool has_animation(const GltfJson& document, bool weights) {
-  for (const GltfJson& animation : list_of(document, "animations")) {
+  for (const GltfJson& animation : list_of(document, "animations"))
     for (const GltfJson& channel : list_of(animation, "channels"))
       if ((text_of(member_of(channel, "target"), "path") == "weights") == weights) return true;
-  }
   return false;
 }
 
@@ -415,14 +411,6 @@ GltfFile take_apart(const Source& source) {
   const bool binary = source.bytes.starts_with("glTF");
   return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary)
       .take();
-}
-
-std::string encoded_uri(std::string_view path) {
-  return base::percent_encoded(path, [](char c) {
-    constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-           plain.find(c) != std::string_view::npos;
-  });
 }
 
 }  // namespace viete::formats

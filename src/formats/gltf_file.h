@@ -14,7 +14,6 @@
 
 #include "formats/attributes.h"
 #include "formats/source.h"
-#include "formats/text_writer.h"
 
 namespace viete::formats {
 
@@ -110,13 +109,5 @@ struct GltfFile {
 /// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below. External images are
 /// not opened. If data of the surface is missing, compressed or invalid, throws base::Error.
 GltfFile take_apart(const Source& source);
-
-/// Writes a GLB. `bytes` is the binary chunk; if empty, the file has no binary chunk. `others` are further
-/// chunks with their headers. If the file exceeds 4 GB, throws base::Error.
-void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
-                      TextWriter& out);
-
-/// Percent-encodes a relative path: "a b" becomes "a%20b".
-std::string encoded_uri(std::string_view path);
 
 }  // namespace viete::formats

@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/printed.h"
 
 namespace viete::formats {
 
@@ -112,14 +111,10 @@ private:
     for (std::size_t a = 0; a < animations.size(); ++a) {
       bool has_weights = false;
       for (const GltfJson& channel : list_of(animations[a], "channels")) {
-        const std::string path = text_of(member_of(channel, "target"), "path");
-        if (path != "weights") {
+        if (text_of(member_of(channel, "target"), "path") != "weights")
           moves_nodes = true;
-        } else if (!played) {
-          has_weights |= take_channel(a, channel);
-        } else {
-          has_weights = true;
-        }
+        else
+          has_weights |= played || take_channel(a, channel);
       }
       if (has_weights && played) ++other;
       if (has_weights && !played) name_ = text_of(animations[a], "name");
@@ -165,9 +160,8 @@ private:
       const double t = (*track.times)[i];
       if (!std::isfinite(t) || (i > 0 && t <= (*track.times)[i - 1])) fail("has times that do not increase");
     }
-    for (const double value : *track.values) {
+    for (const double value : *track.values)
       if (!std::isfinite(value)) fail("has a weight that is not finite");
-    }
     bool used = false;
     for (std::size_t p = 0; p < counts_.size(); ++p) {
       if (!node || static_cast<std::uint64_t>(map_->placements[p].node) != *node || counts_[p] == 0) continue;

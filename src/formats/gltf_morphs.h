@@ -12,7 +12,7 @@
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_file.h"
 #include "formats/gltf_scene.h"
-#include "formats/morphs.h"
+#include "formats/original.h"
 
 namespace viete::formats {
 

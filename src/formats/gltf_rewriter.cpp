@@ -11,10 +11,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/gltf_accessors.h"
 #include "formats/gltf_morphs.h"
-#include "formats/gltf_original.h"
-#include "formats/printed.h"
+#include "formats/gltf_output.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {
@@ -23,108 +21,6 @@ namespace {
 
 using Json = GltfJson;
 
-// Finds accessors whose bytes no other accessor or image uses. Such accessors can be changed in place. Later
-// changes of the document have no effect here. `accessors` must outlive this object.
-class GltfSharing {
-public:
-  GltfSharing(const Json& document, const GltfAccessors& accessors) : accessors_(accessors) {
-    count_uses(document);
-    list_bytes(document);
-  }
-
-  std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
-
-  // Returns true for elements of `components` floats, if no other accessor or image uses the same bytes.
-  bool is_alone(int accessor, std::size_t components) {
-    const auto index = static_cast<std::size_t>(accessor);
-    const GltfPlace place = accessors_.place(accessor);
-    if (!place.has_bytes || !accessors_.holds_floats(accessor, components)) return false;
-    const Bytes mine = bytes_of(place, index);
-    auto at = std::lower_bound(bytes_.begin(), bytes_.end(), Bytes{mine.buffer, mine.end, 0, 0, 0});
-    while (at != bytes_.begin() && (--at)->buffer == mine.buffer && at->furthest > mine.begin) {
-      if (++comparisons_ > 100'000'000) return false;  // limits the time for malicious files
-      if (at->accessor != index && at->end > mine.begin && !interleaved(place, *at)) return false;
-    }
-    return true;
-  }
-
-private:
-  struct Bytes {
-    std::size_t buffer, begin, end, stride;
-    std::size_t accessor;      // npos for an image
-    std::size_t furthest = 0;  // largest `end` of this and all previous ranges of the same buffer
-
-    friend bool operator<(const Bytes& a, const Bytes& b) {
-      return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
-    }
-  };
-
-  void count_uses(const Json& document) {
-    uses_.assign(document["accessors"].size(), 0);
-    const auto use = [&](const Json& value) {
-      if (const auto accessor = count_of(value); accessor && *accessor < uses_.size()) ++uses_[*accessor];
-    };
-    const auto use_all = [&](const Json& attributes) {
-      if (!attributes.is_object()) return;
-      for (const auto& [key, value] : attributes.items()) use(value);
-    };
-    for (const Json& mesh : list_of(document, "meshes")) {
-      for (const Json& primitive : list_of(mesh, "primitives")) {
-        use_all(member_of(primitive, "attributes"));
-        use(member_of(primitive, "indices"));
-        for (const Json& target : list_of(primitive, "targets")) use_all(target);
-      }
-    }
-    for (const Json& node : list_of(document, "nodes"))
-      use_all(member_of(member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes"));
-    for (const Json& animation : list_of(document, "animations")) {
-      for (const Json& sampler : list_of(animation, "samplers")) use_all(sampler);
-    }
-    for (const Json& skin : list_of(document, "skins")) use(member_of(skin, "inverseBindMatrices"));
-  }
-
-  // Collects the used byte ranges, sorted by start.
-  void list_bytes(const Json& document) {
-    for (std::size_t i = 0; i < uses_.size(); ++i) {
-      if (uses_[i] == 0) continue;
-      try {
-        const GltfPlace place = accessors_.place(static_cast<int>(i));
-        if (place.has_bytes) bytes_.push_back(bytes_of(place, i));
-      } catch (const base::Error&) {  // skips invalid accessors, which the surface does not use
-      }
-    }
-    for (const Json& image : list_of(document, "images")) {
-      const Json& view = element_of(document, "bufferViews", index_of(image, "bufferView"));
-      const auto buffer = count_of(view, "buffer");
-      const std::size_t begin = count_of(view, "byteOffset").value_or(0);
-      const std::size_t end = begin + count_of(view, "byteLength").value_or(0);
-      if (buffer) bytes_.push_back({*buffer, begin, end, 0, std::string::npos});
-    }
-    std::sort(bytes_.begin(), bytes_.end());
-    for (std::size_t i = 0; i < bytes_.size(); ++i) {
-      const bool follows = i > 0 && bytes_[i - 1].buffer == bytes_[i].buffer;
-      bytes_[i].furthest = std::max(bytes_[i].end, follows ? bytes_[i - 1].furthest : 0);
-    }
-  }
-
-  static Bytes bytes_of(const GltfPlace& p, std::size_t accessor) {
-    return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
-  }
-
-  // Returns true if the elements of both accessors alternate without overlap. Both must be in one buffer.
-  bool interleaved(const GltfPlace& a, const Bytes& other) const {
-    if (a.stride != other.stride) return false;
-    const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));
-    const std::size_t from = a.offset % a.stride, to = b.offset % b.stride;
-    return from + a.size <= to || to + b.size <= from;
-  }
-
-  const GltfAccessors& accessors_;
-  std::vector<std::size_t> uses_;
-  std::vector<Bytes> bytes_;
-  std::size_t comparisons_ = 0;
-};
-
 class GltfRewriter {
 public:
   GltfRewriter(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
@@ -132,9 +28,8 @@ public:
       : file_(file), map_(map), rest_(rest), posed_(positions), accessors_(file), document_(file.document) {
     for (const GltfBuffer& buffer : file.buffers) buffers_.push_back(buffer.bytes);
     if (motion) find_morphing(*motion);
-    for (const GltfPiece& piece : map.pieces) {
+    for (const GltfPiece& piece : map.pieces)
       if (moves(piece) || morphs(piece)) moved_.push_back(&piece);
-    }
     if (!moved_.empty()) rewrite();
     if (motion) put_morphs(*motion, progress);
   }
@@ -152,18 +47,16 @@ private:
   }
 
   bool moves(const GltfPiece& piece) const {
-    for (std::size_t i = 0; i < piece.count; ++i) {
+    for (std::size_t i = 0; i < piece.count; ++i)
       if (moves(piece.first + i)) return true;
-    }
     return false;
   }
 
   void find_morphing(const MorphMotion& motion) {
     morphing_.assign(map_.placements.size(), false);
-    for (const GltfPiece& piece : map_.pieces) {
+    for (const GltfPiece& piece : map_.pieces)
       for (std::size_t i = 0; i < piece.count && !morphing_[piece.placement]; ++i)
         morphing_[piece.placement] = motion.moves[map_.surface_vertex[piece.first + i]] != 0;
-    }
   }
 
   bool morphs(const GltfPiece& piece) const { return !morphing_.empty() && morphing_[piece.placement]; }
@@ -191,9 +84,8 @@ private:
   // The offsets of the file's targets follow the surface.
   void deform_targets() {
     std::size_t count = 0;
-    for (const GltfPiece* piece : moved_) {
+    for (const GltfPiece* piece : moved_)
       if (moves(*piece)) count = std::max(count, piece->targets->size());
-    }
     for (std::size_t t = 0; t < count; ++t) {
       deform_target(t, "POSITION", &GltfTarget::positions);
       deform_target(t, "NORMAL", &GltfTarget::normals);
@@ -522,9 +414,8 @@ private:
         std::memcpy(buffers_[place.buffer].data() + place.offset + i * place.stride, &values[i * components],
                     components * sizeof(float));
     }
-    for (Json* primitive : primitives) {
+    for (Json* primitive : primitives)
       if (Json* const number = slot(*primitive)) *number = to;
-    }
     Json& json = document_["accessors"][to];  // in glTF, only positions must have min and max
     if (are_positions || json.contains("min") || json.contains("max"))
       set_gltf_bounds(json, values, components);

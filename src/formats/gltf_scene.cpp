@@ -87,15 +87,12 @@ private:
       return listed(scenes[scene], "nodes");
     }
     std::vector<char> is_child(nodes_.size(), 0);
-    for (const GltfJson& node : nodes_) {
-      for (const std::size_t child : listed(node, "children")) {
+    for (const GltfJson& node : nodes_)
+      for (const std::size_t child : listed(node, "children"))
         if (child < is_child.size()) is_child[child] = 1;
-      }
-    }
     std::vector<std::size_t> roots;
-    for (std::size_t i = 0; i < is_child.size(); ++i) {
+    for (std::size_t i = 0; i < is_child.size(); ++i)
       if (!is_child[i]) roots.push_back(i);
-    }
     return roots;
   }
 

@@ -8,12 +8,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/conversion.h"
-#include "formats/foreign_content.h"
-#include "formats/mtl.h"
-#include "formats/obj_words.h"
-#include "formats/surface_builder.h"
-#include "formats/text_cursor.h"
+#include "formats/obj_file.h"
 
 namespace viete::formats {
 
@@ -64,9 +59,8 @@ public:
   // Call this after the builder's end_polygon().
   void end_polygon(const mesh::Surface& surface) {
     const std::size_t corners = surface.corners.size();
-    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal})
       if (indices->size() > corners) indices->resize(corners);
-    }
     const bool made = std::exchange(polygons_, surface.polygon_count()) != surface.polygon_count();
     if (!changed_ || !made) return;
     state_.first_polygon = static_cast<std::uint32_t>(surface.polygon_count() - 1);
@@ -109,9 +103,8 @@ public:
     check(found_.corner_texture, found_.texture_points.size());
     check(found_.corner_normal, found_.normals.size());
     const std::size_t corners = builder.surface().corners.size();
-    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal})
       if (!indices->empty()) indices->resize(corners, mesh::none);
-    }
     found_.colors = colors_of_elements(colors_, builder.vertex_count(), {1, 1, 1, 1});
     finish_groups();
     files_ = read_materials(source_, libraries_, found_, builder);
@@ -184,7 +177,7 @@ public:
       text_.next_line();
       if (++lines_ % 8192 == 0) source_.report(text_.done());
     }
-    check_highest();
+    if (highest_ > static_cast<std::int64_t>(builder_.vertex_count())) refuse(highest_line_, highest_);
     refuse_other_content();
     tell_skipped();
     end_normals();
@@ -260,10 +253,6 @@ private:
     if (rest[0] != '/' || rest.find_first_not_of("0123456789/+-") != std::string_view::npos)
       text_.fail("vertex index is followed by " + in_quotes(rest), "write corners as 7, 7/2, 7//3 or 7/2/3");
     return rest;
-  }
-
-  void check_highest() const {
-    if (highest_ > static_cast<std::int64_t>(builder_.vertex_count())) refuse(highest_line_, highest_);
   }
 
   [[noreturn]] void refuse(std::size_t line, std::int64_t index) const {

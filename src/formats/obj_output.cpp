@@ -7,11 +7,8 @@
 
 #include "base/text.h"
 #include "formats/codecs.h"
-#include "formats/conversion.h"
-#include "formats/obj_words.h"
-#include "formats/printed.h"
-#include "formats/rewriter.h"
-#include "mesh/normals.h"
+#include "formats/file_vectors.h"
+#include "formats/obj_file.h"
 
 namespace viete::formats {
 
@@ -79,16 +76,14 @@ private:
         index_of_value[first_[n]] = next;
         index_.push_back(next++);
       }
-      for (auto n = begin; n < end; ++n) {
+      for (auto n = begin; n < end; ++n)
         for (auto v = first_[n] + 1; v < first_[n + 1]; ++v) index_of_value[v] = next++;
-      }
       begin = end;
     }
     if (!adds_lines()) return;
     corner_index_.resize(attributes.corner_normal.size(), mesh::none);
-    for (std::size_t c = 0; c < corner_index_.size(); ++c) {
+    for (std::size_t c = 0; c < corner_index_.size(); ++c)
       if (value_of_corner[c] != mesh::none) corner_index_[c] = index_of_value[value_of_corner[c]];
-    }
   }
 
   std::vector<mesh::Vec3> values_;    // for each original line: its normal, then the normals of added lines

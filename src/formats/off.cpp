@@ -9,11 +9,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "formats/conversion.h"
 #include "formats/file_vectors.h"
-#include "formats/printed.h"
 #include "formats/surface_builder.h"
-#include "formats/text_cursor.h"
 
 namespace viete::formats {
 
@@ -214,14 +211,11 @@ private:
       builder_.corner(static_cast<std::uint32_t>(index));
     }
     builder_.end_polygon();
-    if (corners >= 3) face_color(builder_.surface().polygon_count() - 1);
+    if (corners >= 3) {
+      const std::size_t colors = numbers(4);  // a single number is an index into a colour map: ignored
+      if (colors >= 3) face_colors_.push_back(color(builder_.surface().polygon_count() - 1, 0, colors));
+    }
     text_.next_line();
-  }
-
-  // Reads three or four numbers after the corners. Ignores a single number: an index into a colour map.
-  void face_color(std::size_t polygon) {
-    const std::size_t count = numbers(4);
-    if (count >= 3) face_colors_.push_back(color(polygon, 0, count));
   }
 
   const Source& source_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -14,8 +16,6 @@
 #include "base/worker_pool.h"
 #include "formats/file_vectors.h"
 #include "formats/ply_file.h"
-#include "formats/surface_builder.h"
-#include "formats/text_cursor.h"
 #include "mesh/point_index.h"
 
 namespace viete::formats {
@@ -164,10 +164,9 @@ private:
 
   void vertices(const PlyElement& element) {
     const std::array<std::size_t, 3> axes = {element.find("x"), element.find("y"), element.find("z")};
-    for (const std::size_t axis : axes) {
+    for (const std::size_t axis : axes)
       if (axis == element.properties.size() || element.properties[axis].list_size)
         throw base::Error(source_.name, "element vertex lacks x, y or z", "export the model again");
-    }
     record(element, FileVectors::Kind::positions, {"x", "y", "z"});
     record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
     record(element, FileVectors::Kind::tangents, {"tx", "ty", "tz"});
@@ -336,9 +335,8 @@ private:
     }
     if (found_.materials.empty() || surface.polygon_count() == 0) return;
     if (groups_.empty()) groups_.push_back({0, "", "", 0});
-    for (Group& g : groups_) {
+    for (Group& g : groups_)
       if (g.material >= found_.materials.size()) g.material = mesh::none;
-    }
     found_.groups = std::move(groups_);
   }
 
@@ -425,36 +423,80 @@ private:
   std::vector<Group> groups_;
 };
 
-// After B. Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023.
-bool is_capture(const PlyHeader& header) {
-  const PlyElement* vertices = header.find("vertex");
-  const auto has = [&](const char* name) { return vertices->find(name) < vertices->properties.size(); };
-  return vertices && (has("scale_0") || has("rot_0") || has("f_rest_0"));
-}
-
-std::vector<std::string> beyond_attributes(const PlyHeader& header) {
-  constexpr std::string_view of_vertices =
-      " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
-      "texture_v texture_s texture_t ";
-  constexpr std::string_view of_faces =
-      " vertex_indices vertex_index red green blue alpha texcoord texnumber ";
-  std::vector<std::string> found;
-  if (header.has_comments) found.emplace_back("comments");
-  if (header.has_obj_info) found.emplace_back("obj_info");
-  for (const PlyElement& element : header.elements) {
-    if (element.count == 0) continue;
-    const bool vertices = element.name == "vertex";
-    if (!vertices && element.name != "face" && element.name != "tristrips") {
-      found.push_back("element " + element.name);
-      continue;
-    }
-    for (const PlyProperty& p : element.properties) {
-      if ((vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
-        found.push_back("property " + p.name + " of " + element.name);
-    }
+// If any vertex has several texture points, writes texture points for faces, otherwise for vertices.
+class PlyOutput {
+public:
+  PlyOutput(const Content& content, TextWriter& out)
+      : s_(content.surface), positions_(content.positions), a_(content.given()), out_(out) {
+    if (!a_.corner_normal.empty()) normals_ = one_a_vertex(s_, a_.corner_normal);
+    if (!a_.corner_texture.empty()) texture_ = one_a_vertex(s_, a_.corner_texture);
+    faces_textured_ = !a_.corner_texture.empty() && !texture_;
+    // The length of a list is one byte. Lists of texture points have two numbers for each corner.
+    const std::uint32_t most = faces_textured_ ? 127 : 255;
+    for (std::size_t p = 0; p < s_.polygon_count(); ++p)
+      large_ |= s_.polygon_starts[p + 1] - s_.polygon_starts[p] > most;
   }
-  return found;
-}
+
+  void header() {
+    const char* const length = large_ ? "uint" : "uchar";
+    out_.text("element vertex ").number(std::uint64_t{positions_.size()});
+    out_.text("\nproperty double x\nproperty double y\nproperty double z\n");
+    if (normals_) out_.text("property float nx\nproperty float ny\nproperty float nz\n");
+    if (!a_.colors.empty()) color_header();
+    if (texture_) out_.text("property float s\nproperty float t\n");
+    out_.text("element face ").number(std::uint64_t{s_.polygon_count()});
+    out_.text("\nproperty list ").text(length).text(" uint vertex_indices\n");
+    if (faces_textured_) out_.text("property list ").text(length).text(" float texcoord\n");
+    if (!a_.polygon_colors.empty()) color_header();
+    out_.text("end_header\n");
+  }
+
+  void vertex(std::size_t v) {
+    for (const double x : positions_[v]) out_.little_endian(x);
+    if (normals_) floats((*normals_)[v] == mesh::none ? mesh::Vec3{0, 0, 0} : a_.normals[(*normals_)[v]]);
+    if (!a_.colors.empty()) color(a_.colors[v]);
+    if (texture_) texture_point((*texture_)[v]);
+  }
+
+  void face(std::uint32_t p) {
+    const std::uint32_t begin = s_.polygon_starts[p], end = s_.polygon_starts[p + 1];
+    length(end - begin);
+    for (auto c = begin; c < end; ++c) out_.little_endian(s_.corners[c]);
+    if (faces_textured_) {
+      length(2 * (end - begin));
+      for (auto c = begin; c < end; ++c) texture_point(a_.corner_texture[c]);
+    }
+    if (!a_.polygon_colors.empty()) color(a_.polygon_colors[p]);
+  }
+
+private:
+  void color_header() {
+    for (const char* name : {"red", "green", "blue", "alpha"})
+      out_.text("property uchar ").text(name).text("\n");
+  }
+
+  void color(const Color& color) {
+    for (const float x : color) out_.little_endian(color_byte(x));
+  }
+
+  template <class Vector>
+  void floats(const Vector& vector) {
+    for (const double x : vector) out_.little_endian(static_cast<float>(x));
+  }
+
+  void texture_point(std::uint32_t t) { floats(t == mesh::none ? Vec2{0, 0} : a_.texture_points[t]); }
+
+  void length(std::uint32_t n) {
+    large_ ? out_.little_endian(n) : out_.little_endian(static_cast<std::uint8_t>(n));
+  }
+
+  const mesh::Surface& s_;
+  std::span<const mesh::Point> positions_;
+  const Attributes& a_;
+  TextWriter& out_;
+  std::optional<std::vector<std::uint32_t>> normals_, texture_;
+  bool faces_textured_ = false, large_ = false;
+};
 
 }  // namespace
 
@@ -466,17 +508,17 @@ ReadResult read_ply(const Source& source) {
   const PlyHeader header = read_ply_header(text, source, builder);
   PlyBody body(header, source, builder, {source, header, text});
   Attributes found = body.read();
-  if (is_capture(header)) builder.warn(source.name + capture_note);
+  if (header.is_capture()) builder.warn(source.name + capture_note);
   constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
   ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
   VectorFile file{"PLY",
                   header.format == PlyHeader::Format::ascii,
                   header.order(),
                   body.take_vectors(),
-                  beyond_attributes(header),
+                  header.beyond_attributes(),
                   {source.folder, {}}};
   for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
-  file.is_capture = is_capture(header);
+  file.is_capture = header.is_capture();
   result.original = original_of(source, std::move(file));
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   return result;
@@ -499,6 +541,22 @@ bool is_certainly_ply(const Beginning& file) {
     if (word == "end_header") return has_format;
   }
   return false;
+}
+
+void write_ply(const Content& content, TextWriter& out) {
+  out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", content.comments);
+  PlyOutput output(content, out);
+  output.header();
+  const std::size_t polygons = content.surface.polygon_count(), all = content.positions.size() + polygons;
+  std::size_t done = 0;
+  for (std::size_t v = 0; v < content.positions.size(); ++v) {
+    output.vertex(v);
+    out.element_done(++done, all);
+  }
+  for (std::uint32_t p = 0; p < polygons; ++p) {
+    output.face(p);
+    out.element_done(++done, all);
+  }
 }
 
 }  // namespace viete::formats

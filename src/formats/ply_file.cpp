@@ -132,6 +132,36 @@ const PlyElement* PlyHeader::find(const std::string& name) const {
   return found == elements.end() ? nullptr : &*found;
 }
 
+// After B. Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023.
+bool PlyHeader::is_capture() const {
+  const PlyElement* vertices = find("vertex");
+  const auto has = [&](const char* name) { return vertices->find(name) < vertices->properties.size(); };
+  return vertices && (has("scale_0") || has("rot_0") || has("f_rest_0"));
+}
+
+std::vector<std::string> PlyHeader::beyond_attributes() const {
+  constexpr std::string_view of_vertices =
+      " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
+      "texture_v texture_s texture_t ";
+  constexpr std::string_view of_faces =
+      " vertex_indices vertex_index red green blue alpha texcoord texnumber ";
+  std::vector<std::string> found;
+  if (has_comments) found.emplace_back("comments");
+  if (has_obj_info) found.emplace_back("obj_info");
+  for (const PlyElement& element : elements) {
+    if (element.count == 0) continue;
+    const bool vertices = element.name == "vertex";
+    if (!vertices && element.name != "face" && element.name != "tristrips") {
+      found.push_back("element " + element.name);
+      continue;
+    }
+    for (const PlyProperty& p : element.properties)
+      if ((vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
+        found.push_back("property " + p.name + " of " + element.name);
+  }
+  return found;
+}
+
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder) {
   PlyHeader header;
   text.next_line();  // skips "ply"

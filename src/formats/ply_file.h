@@ -46,6 +46,9 @@ struct PlyHeader {
 
   std::endian order() const { return format == Format::big_endian ? std::endian::big : std::endian::little; }
   const PlyElement* find(const std::string& name) const;
+  bool is_capture() const;  ///< see Original::is_capture()
+  /// Names the content that Attributes does not store; see Original::beyond_attributes().
+  std::vector<std::string> beyond_attributes() const;
 };
 
 /// Moves the cursor past the header. Adds comments to the builder. Skips lines without a header keyword and

@@ -12,10 +12,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/byte_order.h"
-#include "formats/foreign_content.h"
-#include "formats/printed.h"
 #include "formats/source.h"
+#include "formats/text_writer.h"
 
 namespace viete::formats {
 

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "formats/codecs.h"
-#include "formats/foreign_content.h"
 #include "formats/format_table.h"
 
 namespace viete::formats {
@@ -28,9 +27,8 @@ ReadResult by_extension(const Source& source) {
 ReadResult read(const Source& source) {
   try {
     // The order is reversed, so that STL comes before OFF and PLY: a binary STL may start with any text.
-    for (const Format& format : std::views::reverse(all_formats())) {
+    for (const Format& format : std::views::reverse(all_formats()))
       if (format.recognised && format.recognised(source)) return format.read(source);
-    }
     return by_extension(source);
   } catch (const std::bad_alloc&) {
     throw base::Error(source.name, "the model does not fit into memory",

@@ -7,11 +7,8 @@
 #include <string>
 
 #include "base/error.h"
-#include "formats/byte_order.h"
 #include "formats/file_vectors.h"
-#include "formats/printed.h"
 #include "formats/surface_builder.h"
-#include "formats/text_cursor.h"
 #include "mesh/point_index.h"
 
 namespace viete::formats {
@@ -96,10 +93,9 @@ Layout layout_of(const Source& source) {
   if (layout.count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
   layout.end = head_bytes + layout.count * triangle_bytes;
   if (layout.end == bytes.size() || follow_attributes(bytes, layout)) return layout;
-  for (std::size_t t = 0; t < layout.count; ++t) {
+  for (std::size_t t = 0; t < layout.count; ++t)
     if (!is_plausible(bytes.data() + layout.offset(t)))
       refuse(header + ", which does not match the file size with or without attributes");
-  }
   return layout;
 }
 

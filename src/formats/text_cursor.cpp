@@ -104,9 +104,8 @@ std::string_view TextCursor::rest_of_line() {
   const char* const from = at_;
   const char* last = at_;
   const bool comment = at_ != end_ && *at_ == rules_.comment && rules_.comment;
-  for (; at_ != end_ && *at_ != '\n' && *at_ != '\r' && (comment || !continues()); ++at_) {
+  for (; at_ != end_ && *at_ != '\n' && *at_ != '\r' && (comment || !continues()); ++at_)
     if (!is_blank(*at_)) last = at_ + 1;
-  }
   return {from, static_cast<std::size_t>(last - from)};
 }
 

@@ -5,12 +5,10 @@
 #include <iterator>
 #include <set>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "formats/codecs.h"
-#include "formats/conversion.h"
 #include "formats/format_table.h"
-#include "formats/printed.h"
 
 namespace viete::formats {
 
@@ -27,6 +25,62 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
   });
 }
 
+std::vector<std::string> names_of_left_out(const Format& format, const mesh::Surface& surface,
+                                           const Attributes& a, const Attributes& deformed) {
+  const bool is_named =
+      std::ranges::any_of(a.groups, [](const Group& g) { return !g.object.empty() || !g.name.empty(); });
+  const bool normals = format.holds(held::normals);
+  const bool normals_fit =
+      format.holds(held::corner_normals) || (normals && one_a_vertex(surface, deformed.corner_normal));
+  struct Kind {
+    const char* name;
+    bool in_file, fits;
+  };
+  const Kind kinds[] = {
+      {"texture coordinates", !a.texture_points.empty(), format.holds(held::texture_points)},
+      {normals ? "several normals of a vertex" : "normals", !a.normals.empty(), normals_fit},
+      {"colours", !a.colors.empty(), format.holds(held::colors)},
+      {"colours of faces", !a.polygon_colors.empty(),
+       format.holds(held::polygon_colors) && (a.colors.empty() || format.holds(held::both_colors))},
+      {"groups", is_named, false},
+      {"materials", !a.materials.empty(), false},
+      {"textures", !a.images.empty(), false}};
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds)
+    if (kind.in_file && !kind.fits) names.emplace_back(kind.name);
+  return names;
+}
+
+void tell_triangles(const mesh::Surface& surface, std::vector<std::string>& notes) {
+  const auto& starts = surface.polygon_starts;
+  std::size_t larger = 0;
+  for (std::size_t p = 0; p + 1 < starts.size(); ++p) larger += starts[p + 1] - starts[p] > 3;
+  std::vector<char> is_loose(surface.positions.size(), 1);
+  for (const std::uint32_t v : surface.corners) is_loose[v] = 0;
+  const auto loose = static_cast<std::size_t>(std::ranges::count(is_loose, 1));
+  if (larger > 0)
+    notes.push_back(base::counted(larger, "face") + " of more than three corners became triangles");
+  if (loose > 0)
+    notes.push_back(base::counted(loose, "point") + " without a face " + (loose == 1 ? "was" : "were") +
+                    " left out");
+}
+
+// Returns messages about content that this format cannot store, one line each: "2 faces of more than three
+// corners became triangles". `deformed` is the result of deformed_attributes(). `original` may be null.
+std::vector<std::string> left_out(const Format& format, const Content& content, const Attributes& deformed,
+                                  const Original* original) {
+  constexpr std::size_t most = 12;
+  std::vector<std::string> names, notes;
+  if (content.attributes) names = names_of_left_out(format, content.surface, *content.attributes, deformed);
+  if (original) std::ranges::move(original->beyond_attributes(), std::back_inserter(names));
+  if (!names.empty())
+    notes.push_back("left out of the " + std::string(format.name) +
+                    " file: " + TextWriter::one_line(base::joined(names, ", ", most)));
+  if (!format.holds(held::polygons) && !content.surface.triangles.empty())
+    tell_triangles(content.surface, notes);
+  return notes;
+}
+
 // Returns the attributes after deformation. `notes` gets messages about content that the format cannot store.
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
@@ -34,16 +88,6 @@ Attributes converted(const Format& format, const Content& content, const Origina
   if (content.attributes) now = deformed_attributes(content.surface, content.positions, *content.attributes);
   notes = left_out(format, content, now, original);
   return now;
-}
-
-std::string list_of_names(const std::set<std::string>& names) {
-  std::string list;
-  std::size_t left = 8;
-  for (const std::string& name : names) {
-    if (left-- == 0) return list + " ...";
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list;
 }
 
 // Copies external files to the folder of the new file. Adds the copies to `written`. Does not copy files
@@ -72,7 +116,8 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
   }
   std::vector<std::string> notes;
   const auto tell = [&](const char* what, const std::set<std::string>& names) {
-    if (!names.empty()) notes.push_back(what + list_of_names(names));
+    const std::vector<std::string> all(names.begin(), names.end());
+    if (!all.empty()) notes.push_back(what + base::joined(all, ", ", 8));
   };
   tell("copied files to which the model refers: ", copied);
   tell("not copied, because different files with these names exist: ", others);

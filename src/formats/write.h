@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "formats/morphs.h"
 #include "formats/original.h"
 #include "formats/text_writer.h"
 #include "mesh/surface.h"

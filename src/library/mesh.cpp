@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "cages/make.h"
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 #include "formats/read.h"
 #include "formats/write.h"
 #include "library/arguments.h"

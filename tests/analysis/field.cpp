@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "sym3/double_double.h"
+#include "sym3/jacobi.h"
 #include "sym3/reference.h"
 
 using namespace viete;

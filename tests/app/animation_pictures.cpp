@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "app/terminal_progress.h"
+#include "app/command_line.h"
 
 using namespace viete;
 

@@ -1,4 +1,4 @@
-#include "app/exporter.h"
+#include "app/file_desk.h"
 
 #include "support/files.h"
 

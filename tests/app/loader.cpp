@@ -1,4 +1,4 @@
-#include "app/loader.h"
+#include "app/file_desk.h"
 
 #include "support/files.h"
 #include "workspace/saving.h"

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "base/text.h"
+
 using namespace viete;
 
 TEST_CASE("lines_break_at_blanks") {
@@ -34,7 +36,7 @@ TEST_CASE("the_nearest_name_is_one_of_few_corrections_or_of_the_same_beginning")
 }
 
 TEST_CASE("lists_end_with_or") {
-  CHECK(app::listed({"a"}) == "a");
-  CHECK(app::listed({"a", "b"}) == "a or b");
-  CHECK(app::listed({"a", "b", "c"}) == "a, b or c");
+  CHECK(base::listed(std::vector<std::string>{"a"}) == "a");
+  CHECK(base::listed(std::vector<std::string>{"a", "b"}) == "a or b");
+  CHECK(base::listed(std::vector<std::string>{"a", "b", "c"}) == "a, b or c");
 }

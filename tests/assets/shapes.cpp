@@ -1,7 +1,8 @@
 // Tests the bundled shapes. Halfway to a shape, edge lengths must be right in log space.
 #include <doctest/doctest.h>
 
-#include "bench/halfway.h"
+#include "bench/figures.h"
+#include "shapes/shape_space.h"
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "mesh/summary.h"

@@ -1,4 +1,4 @@
-#include "formats/conversion.h"
+#include "formats/attributes.h"
 
 #include "formats/write.h"
 #include "support/gltf.h"

@@ -1,4 +1,4 @@
-#include "formats/morphs.h"
+#include "formats/original.h"
 
 #include "formats/gltf_judge.h"
 #include "formats/morph_keys.h"

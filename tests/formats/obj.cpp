@@ -1,4 +1,4 @@
-#include "formats/mtl.h"
+#include "formats/obj_file.h"
 #include "support/shapes.h"
 
 using namespace viete;

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "formats/foreign_content.h"
+#include "formats/source.h"
 #include "formats/write.h"
 #include "support/data.h"
 #include "support/shapes.h"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "formats/mtl.h"
+#include "formats/obj_file.h"
 #include "formats/point_cache.h"
 #include "fuzz/checks.h"
 

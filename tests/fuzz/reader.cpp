@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "formats/codecs.h"
-#include "formats/conversion.h"
+#include "formats/attributes.h"
 #include "fuzz/checks.h"
 #include "mesh/summary.h"
 

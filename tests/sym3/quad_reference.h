@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "sym3/double_double.h"
+#include "sym3/jacobi.h"
 #include "sym3/fallback.h"
 #include "sym3/rotation.h"
 #include "sym3/sym3.h"

@@ -1,8 +1,7 @@
-#include "formats/conversion.h"
+#include "formats/attributes.h"
 
 #include <algorithm>
 
-#include "base/text.h"
 #include "mesh/adjacency.h"
 #include "mesh/normals.h"
 
@@ -19,52 +18,11 @@ std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const
     if (attributes.groups[g].smooth) continue;
     const std::size_t end =
         g + 1 < attributes.groups.size() ? attributes.groups[g + 1].first_polygon : surface.polygon_count();
-    for (std::size_t p = attributes.groups[g].first_polygon; p < end; ++p) {
+    for (std::size_t p = attributes.groups[g].first_polygon; p < end; ++p)
       for (auto c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c)
         common[c] = polygons + p;
-    }
   }
   return common;
-}
-
-std::vector<std::string> names_of_left_out(const Format& format, const mesh::Surface& surface,
-                                           const Attributes& a, const Attributes& deformed) {
-  const bool is_named =
-      std::ranges::any_of(a.groups, [](const Group& g) { return !g.object.empty() || !g.name.empty(); });
-  const bool normals = format.holds(held::normals);
-  const bool normals_fit =
-      format.holds(held::corner_normals) || (normals && one_a_vertex(surface, deformed.corner_normal));
-  struct Kind {
-    const char* name;
-    bool in_file, fits;
-  };
-  const Kind kinds[] = {
-      {"texture coordinates", !a.texture_points.empty(), format.holds(held::texture_points)},
-      {normals ? "several normals of a vertex" : "normals", !a.normals.empty(), normals_fit},
-      {"colours", !a.colors.empty(), format.holds(held::colors)},
-      {"colours of faces", !a.polygon_colors.empty(),
-       format.holds(held::polygon_colors) && (a.colors.empty() || format.holds(held::both_colors))},
-      {"groups", is_named, false},
-      {"materials", !a.materials.empty(), false},
-      {"textures", !a.images.empty(), false}};
-  std::vector<std::string> names;
-  for (const Kind& kind : kinds)
-    if (kind.in_file && !kind.fits) names.emplace_back(kind.name);
-  return names;
-}
-
-void tell_triangles(const mesh::Surface& surface, std::vector<std::string>& notes) {
-  const auto& starts = surface.polygon_starts;
-  std::size_t larger = 0;
-  for (std::size_t p = 0; p + 1 < starts.size(); ++p) larger += starts[p + 1] - starts[p] > 3;
-  std::vector<char> is_loose(surface.positions.size(), 1);
-  for (const std::uint32_t v : surface.corners) is_loose[v] = 0;
-  const auto loose = static_cast<std::size_t>(std::ranges::count(is_loose, 1));
-  if (larger > 0)
-    notes.push_back(base::counted(larger, "face") + " of more than three corners became triangles");
-  if (loose > 0)
-    notes.push_back(base::counted(loose, "point") + " without a face " + (loose == 1 ? "was" : "were") +
-                    " left out");
 }
 
 }  // namespace
@@ -73,9 +31,8 @@ SpreadNormals::SpreadNormals(const mesh::Surface& surface, const Attributes& att
     : of_corner(surface.corners.size(), mesh::none) {
   const auto common = common_to_corners(surface, attributes);
   mesh::Adjacency of_normals = mesh::make_adjacency(attributes.normals.size(), [&](const auto& add) {
-    for (std::uint32_t c = 0; c < attributes.corner_normal.size(); ++c) {
+    for (std::uint32_t c = 0; c < attributes.corner_normal.size(); ++c)
       if (attributes.corner_normal[c] != mesh::none) add(attributes.corner_normal[c], c);
-    }
   });
   normals.reserve(attributes.normals.size());
   for (std::size_t n = 0; n < attributes.normals.size(); ++n) {
@@ -147,22 +104,6 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const mesh::Surface& surf
     at = of_corner[c];
   }
   return of_vertex;
-}
-
-std::vector<std::string> left_out(const Format& format, const Content& content, const Attributes& deformed,
-                                  const Original* original) {
-  constexpr std::size_t most = 12;
-  std::vector<std::string> names, notes;
-  if (content.attributes) names = names_of_left_out(format, content.surface, *content.attributes, deformed);
-  if (original) std::ranges::move(original->beyond_attributes(), std::back_inserter(names));
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
-  if (!names.empty())
-    notes.push_back("left out of the " + std::string(format.name) + " file: " + TextWriter::one_line(list) +
-                    (names.size() > most ? " ..." : ""));
-  if (!format.holds(held::polygons) && !content.surface.triangles.empty())
-    tell_triangles(content.surface, notes);
-  return notes;
 }
 
 }  // namespace viete::formats

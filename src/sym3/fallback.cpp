@@ -1,11 +1,10 @@
-// Functions of single matrices by Jacobi rotations, for input that the vector code cannot process.
+#include "sym3/fallback.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "sym3/double_double.h"
-#include "sym3/fallback.h"
 #include "sym3/jacobi.h"
 #include "sym3/small_matrices.h"
 
@@ -287,7 +286,8 @@ Sym3<double> log_in_double(const Sym3<double>& s) {
 Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
   if (!is_usable(s)) return nan_matrix<double>();
   if (has_huge_eigenvalues(s)) return times(inv_sqrt_in_double(times(s, 0x1p-8)), 0x1p-4);
-  return of_spectrum_above(0, [](const auto& x) { return 1 / std::sqrt(jacobi::leading(x)); }, s);
+  return of_spectrum_above(
+      0, [](const auto& x) { return 1 / std::sqrt(jacobi::leading(x)); }, s);
 }
 
 /// Negative eigenvalues above this number * largest entry are rounding errors. sqrt uses 0 instead.
@@ -356,6 +356,20 @@ Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
   return in_axes(transposed(v), g);
 }
 
+template <class T>
+void any_half_angle(const T* w, T* cosine_and_sine) {
+  const T zero_if_finite = w[0] * 0 + w[1] * 0 + w[2] * 0;  // because std::hypot(inf, nan, 0) is inf
+  const T angle = std::hypot(w[0], w[1], w[2]) + zero_if_finite;
+  if (std::isinf(angle)) {  // the length overflows, but half the length does not
+    const T half = std::hypot(w[0] / 2, w[1] / 2, w[2] / 2);
+    cosine_and_sine[0] = std::cos(half);
+    cosine_and_sine[1] = std::sin(half) / half / 2;
+    return;
+  }
+  cosine_and_sine[0] = std::cos(angle / 2);
+  cosine_and_sine[1] = std::sin(angle / 2) / angle;
+}
+
 }  // namespace
 
 #define VIETE_FOR(T)                                                           \
@@ -386,6 +400,9 @@ Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
   void eigenvalues_by_jacobi(const T* in, T* out) {                            \
     const auto values = eigenvalues_in_double(from_six(in));                   \
     for (int k = 0; k < 3; ++k) out[k] = T(values[k]);                         \
+  }                                                                            \
+  void half_angle(const T* w, T* cosine_and_sine) {                            \
+    any_half_angle(w, cosine_and_sine);                                        \
   }
 VIETE_FOR(float)
 VIETE_FOR(double)

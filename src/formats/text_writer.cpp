@@ -1,8 +1,7 @@
-#include "formats/printed.h"
+#include "formats/text_writer.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "base/error.h"
 #include "base/text.h"
