@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "deform/exact.h"
-#include "shapes/example_posing.h"
 #include "deform/vertex_sample.h"
 #include "document/elements.h"
+#include "shapes/example_posing.h"
 
 namespace viete::app {
 

@@ -94,8 +94,8 @@ double MethodMeasuring::due_in(const workspace::Workspace& w, const LiveModel& m
   return std::min(sampling_in(w, model), timing_in(w, model));
 }
 
-// If model, cage or a deformer setting other than Deformer::amounts has changed, discards all measurements. If
-// only the engine has changed, discards only the sampled error.
+// If model, cage or a deformer setting other than Deformer::amounts has changed, discards all measurements.
+// If only the engine has changed, discards only the sampled error.
 bool MethodMeasuring::discard_old(workspace::Workspace& w, const LiveModel& model) {
   const auto engine = model.deformer() ? model.deformer()->ran() : std::nullopt;
   const Key key = key_of(w, model);
@@ -195,7 +195,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   base::WorkerPool pool;
   const Bound& bound = timed.bound;
   deform::FrameDeformer deformer(bound.cage, bound.binding, timed.deformer, pool,
-                            bound.stitches(timed.deformer) ? bound.stitching : nullptr);
+                                 bound.stitches(timed.deformer) ? bound.stitching : nullptr);
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);

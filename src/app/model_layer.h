@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "analysis/field.h"
-#include "weights/binding.h"
-#include "pose/rows.h"
 #include "formats/attributes.h"
 #include "mesh/drawing.h"
 #include "mesh/surface.h"
+#include "pose/rows.h"
 #include "render/mark_layers.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
+#include "weights/binding.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {

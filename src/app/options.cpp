@@ -8,8 +8,8 @@
 
 #include "analysis/field.h"
 #include "base/text.h"
-#include "pose/probe.h"
 #include "document/range.h"
+#include "pose/probe.h"
 #include "workspace/frame_stats.h"
 
 namespace viete::app {
@@ -105,7 +105,7 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
 void add_choice_options(CLI::App& app, pose::PartialChoice& choice) {
   add_choice<pose::Weights>(app, "--weights", "Weights, see 'viete help deformers'", choice.weights);
   add_choice<pose::Blend>(app, "--blend", "Blend of transformations, see 'viete help deformers'",
-                            choice.blend);
+                          choice.blend);
 }
 
 std::string deformers_help() {

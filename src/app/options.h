@@ -14,10 +14,10 @@
 #include <string_view>
 #include <vector>
 
-#include "pose/deformer.h"
 #include "document/document.h"
 #include "files/output.h"
 #include "formats/text_writer.h"
+#include "pose/deformer.h"
 #include "sym3/exp.h"
 
 namespace viete::app {

@@ -83,7 +83,7 @@ std::vector<workspace::VertexView::Evaluation> evaluations_of(const sym3::Sym3<d
   std::vector<workspace::VertexView::Evaluation> evaluations;
   for (const Method method : analysis::compared_methods)
     evaluations.push_back({method, words_of(method, sym3::route(sum, method)),
-                    sym3::relative_error(sym3::exp(sum, method), sum)});
+                           sym3::relative_error(sym3::exp(sum, method), sum)});
   return evaluations;
 }
 

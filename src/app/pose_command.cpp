@@ -11,8 +11,8 @@
 #include "app/inputs.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "shapes/example_posing.h"
 #include "formats/format_table.h"
+#include "shapes/example_posing.h"
 
 namespace viete::app {
 

@@ -5,18 +5,18 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include "weights/bind.h"
-#include "pose/cage.h"
-#include "pose/maps.h"
-#include "pose/deformer.h"
-#include "weights/tiled_binding.h"
 #include "document/checks.h"
 #include "document/edit.h"
 #include "mesh/normals.h"
+#include "pose/cage.h"
+#include "pose/deformer.h"
+#include "pose/maps.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
 #include "sym3/reference.h"
 #include "sym3/small_matrices.h"
+#include "weights/bind.h"
+#include "weights/tiled_binding.h"
 #include "workspace/playing.h"
 
 namespace viete::app {
@@ -24,8 +24,8 @@ namespace viete::app {
 namespace {
 
 std::shared_ptr<const weights::Binding> bind_draft(const std::shared_ptr<const mesh::Draft>& draft,
-                                                  const pose::Cage& cage, const weights::TiledBinding& whole,
-                                                  base::WorkerPool& pool, base::Progress& progress) {
+                                                   const pose::Cage& cage, const weights::TiledBinding& whole,
+                                                   base::WorkerPool& pool, base::Progress& progress) {
   const auto slots = weights::slots_of(whole.leaves);
   const auto row = [&](std::uint32_t v, std::span<double> weights) {
     whole.kept_row(slots[draft->vertices[v]], weights);
@@ -187,8 +187,8 @@ void LiveModel::share(const std::shared_ptr<const weights::Binding>& binding) {
 
 void LiveModel::renew_deformer(const pose::Deformer& deformer) {
   make_deformer(deformer, pool_);
-  draft_ =
-      bound_.draft ? std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.draft, deformer, pool_) : nullptr;
+  draft_ = bound_.draft ? std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.draft, deformer, pool_)
+                        : nullptr;
   derived_.reset(), drafted_.reset();
   unprepared_ = true;
 }

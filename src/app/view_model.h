@@ -10,14 +10,14 @@
 #include "base/background.h"
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "weights/binding.h"
 #include "deform/frame_deformer.h"
-#include "pose/probe.h"
 #include "deform/stitching.h"
 #include "document/document.h"
 #include "mesh/adjacency.h"
 #include "mesh/drawing.h"
+#include "pose/probe.h"
 #include "sym3/rotation.h"
+#include "weights/binding.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {
@@ -28,7 +28,7 @@ struct Bound {
   std::shared_ptr<const pose::Cage> cage;
   std::shared_ptr<const weights::Binding> binding;
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched deformer is bound
-  std::shared_ptr<const weights::Binding> draft{};        ///< binding of the model's draft, or null
+  std::shared_ptr<const weights::Binding> draft{};       ///< binding of the model's draft, or null
 
   bool stitches(const pose::Deformer& deformer) const { return stitching && stitching->serves(deformer); }
   /// True if this is a binding of the document's model to the document's cage, with any weights.
@@ -130,8 +130,8 @@ protected:
         std::move(name));
   }
   void make_deformer(const pose::Deformer& deformer, base::WorkerPool& pool) {
-    deformer_ = std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.binding, deformer, pool,
-                                                   bound_.stitches(deformer) ? bound_.stitching : nullptr);
+    deformer_ = std::make_unique<deform::FrameDeformer>(
+        bound_.cage, bound_.binding, deformer, pool, bound_.stitches(deformer) ? bound_.stitching : nullptr);
     drag_ = {};
   }
   void run(const document::Document& document, const pose::Pose& pose, const weights::SharedShape& shape,
@@ -183,7 +183,9 @@ public:
   /// model, and the next deform() is due.
   bool deform_draft(workspace::Workspace& workspace, workspace::FrameTimes& times);
   /// The deformer of the draft if the draft was deformed since the last call, otherwise null.
-  const deform::FrameDeformer* take_draft() { return std::exchange(draft_news_, false) ? draft_.get() : nullptr; }
+  const deform::FrameDeformer* take_draft() {
+    return std::exchange(draft_news_, false) ? draft_.get() : nullptr;
+  }
 
   /// True if the draft shows the current pose, but the model does not.
   bool shows_draft(const document::Document& document) const;
@@ -220,7 +222,7 @@ private:
 
   base::WorkerPool pool_;
   std::shared_ptr<const mesh::Draft> model_draft_;  // the draft of the document's model, or null
-  std::shared_ptr<const pose::Cage> no_cage_;     // substitute for a missing cage; null until needed
+  std::shared_ptr<const pose::Cage> no_cage_;       // substitute for a missing cage; null until needed
   document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;  // revisions of the last follow()
   struct Derived {
     document::Revision pose, method;

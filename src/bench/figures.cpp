@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
-#include "shapes/shape_space.h"
 #include "files/shape_import.h"
 #include "formats/read.h"
+#include "shapes/shape_space.h"
 
 namespace viete::bench {
 
@@ -53,7 +53,8 @@ std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base:
   return measure_frames(options, progress);
 }
 
-ModeComparison deformers_of(const Figures& figures, const document::Document& opened, base::Progress& progress) {
+ModeComparison deformers_of(const Figures& figures, const document::Document& opened,
+                            base::Progress& progress) {
   const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
   return measure_modes(*opened.model().surface, opened.cage(), figures.poses, settings, progress);
 }

@@ -172,7 +172,8 @@ private:
   // If memory is not sufficient, there is no staged frame, and errors have no reference.
   void bind_staged(const mesh::Surface& model) try {
     binding_ = std::make_shared<const weights::Binding>(weights::bind(model, *cage_, weighting_, all_));
-    staged_ = std::make_unique<deform::FrameDeformer>(cage_, binding_, pose::Deformer{binding_->weighting}, one_);
+    staged_ =
+        std::make_unique<deform::FrameDeformer>(cage_, binding_, pose::Deformer{binding_->weighting}, one_);
     staged_->deform(pose_, Method::diag);  // Method::diag shares no code with `fast`
     expected_ = staged_->positions();
   } catch (const base::Error& error) {
@@ -195,7 +196,7 @@ private:
   }
 
   std::shared_ptr<const weights::Binding> bind_fused(const mesh::Surface& model, double tolerance,
-                                                    std::optional<weights::Storage> storage) {
+                                                     std::optional<weights::Storage> storage) {
     auto tiles = weights::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage);
     return std::make_shared<const weights::Binding>(weights::with_tiles(
         mesh::lent(model), *cage_, std::make_shared<const weights::TiledBinding>(std::move(tiles))));

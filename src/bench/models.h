@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "analysis/strain.h"
-#include "pose/cage.h"
 #include "document/document.h"
 #include "mesh/surface.h"
+#include "pose/cage.h"
 
 namespace viete::bench {
 

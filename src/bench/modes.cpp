@@ -12,17 +12,17 @@
 #include "base/median.h"
 #include "base/text.h"
 #include "bench/table.h"
-#include "weights/bind.h"
-#include "weights/binding.h"
 #include "deform/frame_deformer.h"
-#include "pose/maps.h"
-#include "pose/pose_io.h"
 #include "mesh/edge_paths.h"
 #include "mesh/normals.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
+#include "pose/maps.h"
+#include "pose/pose_io.h"
 #include "sym3/kernel.h"
+#include "weights/bind.h"
+#include "weights/binding.h"
 
 namespace viete::bench {
 
@@ -176,12 +176,13 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Uses a fused binding for stitched deformers, and otherwise a staged binding. Staged bindings are large, so
-  // only the last one is kept.
+  // Uses a fused binding for stitched deformers, and otherwise a staged binding. Staged bindings are large,
+  // so only the last one is kept.
   void measure_shapes(Mode& mode) {
     const pose::Weighting& weighting = mode.deformer.weighting;
     if (mode.deformer.stitched()) {
-      deform::FrameDeformer deformer(cage_, fused(weighting).binding, mode.deformer, all_, stitching(mode.deformer));
+      deform::FrameDeformer deformer(cage_, fused(weighting).binding, mode.deformer, all_,
+                                     stitching(mode.deformer));
       return measure_shapes(mode, deformer);
     }
     if (!staged_ || !(staged_->weighting == weighting)) {
@@ -215,7 +216,8 @@ public:
     const Bound& bound = fused(weighting);
     mode.bind_ms = bound.ms;
     auto frame = std::make_unique<deform::FrameDeformer>(
-        cage_, bound.binding, mode.deformer, one_, mode.deformer.stitched() ? stitching(mode.deformer) : nullptr);
+        cage_, bound.binding, mode.deformer, one_,
+        mode.deformer.stitched() ? stitching(mode.deformer) : nullptr);
     if (!frame->engine(method_)) {
       const auto both = std::make_shared<const weights::Binding>(weights::bind(
           mesh::lent(surface_), *cage_, weighting, pose::EngineKind::staged, bound.binding.get(), all_));
@@ -262,7 +264,8 @@ private:
 
   std::shared_ptr<const deform::Stitching> stitching(const pose::Deformer& deformer) {
     if (!stitching_ || !stitching_->serves(deformer))
-      stitching_ = std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, deformer));
+      stitching_ =
+          std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, deformer));
     return stitching_;
   }
 
@@ -319,8 +322,9 @@ std::vector<pose::Deformer> measured_deformers(const ModeSettings& settings) {
 std::vector<Mode> modes_by_weights(const std::vector<pose::Deformer>& deformers) {
   std::vector<Mode> modes;
   for (const pose::Deformer& deformer : deformers) {
-    const auto alike = std::find_if(modes.rbegin(), modes.rend(),
-                                    [&](const Mode& m) { return m.deformer.weighting == deformer.weighting; });
+    const auto alike = std::find_if(modes.rbegin(), modes.rend(), [&](const Mode& m) {
+      return m.deformer.weighting == deformer.weighting;
+    });
     Mode mode;
     mode.deformer = deformer;
     modes.insert(alike == modes.rend() ? modes.end() : alike.base(), std::move(mode));
@@ -333,8 +337,9 @@ double ratio(double value, double of) {
 }
 
 void compare_with_mean_values(std::vector<Mode>& modes) {
-  const auto reference = std::ranges::find_if(
-      modes, [](const Mode& m) { return m.problem.empty() && preset_of(m.deformer) == pose::Preset::mean_value; });
+  const auto reference = std::ranges::find_if(modes, [](const Mode& m) {
+    return m.problem.empty() && preset_of(m.deformer) == pose::Preset::mean_value;
+  });
   if (reference == modes.end()) return;
   const std::vector<ShapeQuality> theirs = reference->qualities;
   for (Mode& mode : modes) {

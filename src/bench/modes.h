@@ -16,10 +16,10 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "bench/models.h"
-#include "pose/cage.h"
-#include "pose/deformer.h"
 #include "mesh/half_edges.h"
 #include "mesh/surface.h"
+#include "pose/cage.h"
+#include "pose/deformer.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
 
@@ -116,7 +116,7 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest
 
 struct ModeSettings {
   std::size_t rounds = 11;
-  pose::PartialChoice choice{};  ///< limits the deformers; mean value coordinates are always measured
+  pose::PartialChoice choice{};    ///< limits the deformers; mean value coordinates are always measured
   std::optional<double> radius{};  ///< radius of cut-off weights
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< number of solves for stitched deformers

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "weights/binding.h"
 #include "pose/cage.h"
+#include "weights/binding.h"
 
 namespace viete::bench {
 

@@ -141,11 +141,10 @@ void rotations(Bars& report) {
                              batched("batched", 20, [&] { sym3::log_rotation(from_r, to_w, in_cache); }),
                              copy_of(planes_r.data(), out.data(), 3, stride)});
   report.check("log of rotations: textbook / batched", faster(back, "textbook", "batched"), 6, true);
-  const auto polar =
-      measure("polar double, rotations with stretches of some 30 %",
-              {one_by_one("SVD", m, r, [](const auto& x) { return pose::polar(x).rotation; }),
-               batched("batched", 4, [&] { sym3::polar(from_m, to, in_cache); }),
-               copy_of(planes_m.data(), out.data(), 9, stride)});
+  const auto polar = measure("polar double, rotations with stretches of some 30 %",
+                             {one_by_one("SVD", m, r, [](const auto& x) { return pose::polar(x).rotation; }),
+                              batched("batched", 4, [&] { sym3::polar(from_m, to, in_cache); }),
+                              copy_of(planes_m.data(), out.data(), 9, stride)});
   report.check("polar: SVD / batched", faster(polar, "SVD", "batched"), 40, true);
 }
 

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include "bench/figures.h"
-#include "shapes/shape_space.h"
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "mesh/summary.h"
