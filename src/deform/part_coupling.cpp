@@ -192,11 +192,15 @@ std::vector<Coupling> by_corners(std::span<const Coupling> couplings) {
   return result;
 }
 
-std::vector<Coupling> vertex_couplings(const mesh::Surface& surface, base::WorkerPool& pool) {
+std::vector<Coupling> surface_couplings(const mesh::Surface& surface, base::WorkerPool& pool) {
   const mesh::Surface joined = mesh::welded(surface);
   const PartedSurface parted = parted_surface(joined, intrinsic_laplacian(joined).masses);
   const mesh::EdgePaths paths(parted.surface);
-  return by_corners(parted.joined(part_couplings(parted.surface, paths, parted.masses, pool)));
+  return parted.joined(part_couplings(parted.surface, paths, parted.masses, pool));
+}
+
+std::vector<Coupling> vertex_couplings(const mesh::Surface& surface, base::WorkerPool& pool) {
+  return by_corners(surface_couplings(surface, pool));
 }
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings) {

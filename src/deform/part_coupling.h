@@ -54,6 +54,8 @@ PartedSurface parted_surface(const mesh::Surface& surface, std::vector<double> m
 /// off-diagonal entries to a matrix. But they resist linear functions on the triangle, unlike the original.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
+/// Returns the couplings of any surface.
+std::vector<Coupling> surface_couplings(const mesh::Surface& surface, base::WorkerPool& pool);
 /// Returns the couplings of any surface, by_corners().
 std::vector<Coupling> vertex_couplings(const mesh::Surface& surface, base::WorkerPool& pool);
 
