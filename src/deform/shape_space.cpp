@@ -109,10 +109,11 @@ std::optional<CoarseModel> ShapeSpace::coarse_of(const mesh::Surface& rest, base
                                                  base::Progress* progress) {
   if (!needs_coarse_model(rest)) return {};
   const base::ProgressPart part(progress, 0, coarse_part);
-  const SurfaceProxy proxy(rest, pool, progress);
-  if (100 * proxy.gathered() > rest.positions.size()) return {};
+  const std::size_t most = rest.positions.size() / 100;
+  const SurfaceProxy proxy(rest, pool, progress, most);
+  if (proxy.gathered() > most) return {};
   CoarseModel coarse(proxy, rest.positions.size(), pool);
-  if (100 * coarse.adopt_clusters() > rest.positions.size()) return {};
+  if (coarse.adopt_clusters() > most) return {};
   return coarse;
 }
 
