@@ -43,6 +43,13 @@ void release_freed_memory() {
 #endif
 }
 
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  mallopt(M_MMAP_MAX, 0);         // no array is a mapping of its own, which would end with the array
+  mallopt(M_TRIM_THRESHOLD, -1);  // the heap does not shrink
+#endif
+}
+
 std::optional<double> free_memory() {
   std::ifstream in("/proc/meminfo");
   std::string key, unit;

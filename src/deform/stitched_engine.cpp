@@ -134,14 +134,9 @@ void Stitcher::set_shape(std::span<const Vec3> of_vertices) {
   shaped_gradients_.clear();
   pin_displacements_ = mesh::picked(displacements, vertices_of(s.pins));
   if (displacements.empty()) return;
-  shaped_gradients_ = s.gradients;
-  pool_.for_blocks(s.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& [a, b, c] = s.triangles[t];
-      const auto more = area_gradients(s.cotangents[t], displacements[a], displacements[b], displacements[c]);
-      for (const std::size_t i : {0, 1}) shaped_gradients_[t][i] = shaped_gradients_[t][i] + more[i];
-    }
-  });
+  shaped_gradients_ = s.gradients_of(displacements, pool_);
+  for (std::size_t t = 0; t < s.gradients.size(); ++t)
+    for (const std::size_t i : {0, 1}) shaped_gradients_[t][i] = s.gradients[t][i] + shaped_gradients_[t][i];
 }
 
 void Stitcher::run(const pose::Rows& rows, std::span<const double> sums, std::span<const Vec3> held,

@@ -27,6 +27,7 @@ constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
 constexpr double found_pins = 0.5;  // the fraction of the work that is done when the pins are known
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
+constexpr std::size_t gradients_per_block = 128;
 constexpr double indistinguishable = 1e-9;  // in cage diagonals; smaller differences of distances count as 0
 
 class StitchMaker {
@@ -54,6 +55,7 @@ public:
                 {},
                 {},
                 {},
+                std::move(couplings_),
                 {},
                 {},
                 std::move(pins_),
@@ -86,7 +88,7 @@ private:
   }
 
   void find_couplings() {
-    couplings_ = weights::vertex_couplings(original_, pool_);
+    couplings_ = weights::surface_couplings(original_, pool_);
     const auto lowest = mesh::lowest_in_place(original_.positions);
     for (std::uint32_t v = 0; v < lowest.size(); ++v) {
       const auto w = lowest[v];
@@ -138,15 +140,16 @@ private:
 
   std::vector<Stitching::Pin> pins_of(std::uint32_t handle, const mesh::Point& center) const {
     std::vector<Stitching::Pin> pins;
+    const double strength = pin_strength * pose::handle_shape(cage_, pose::Elements::face, handle).share;
     const auto triangles = nearest_triangles(center);
     for (const std::size_t t : triangles) {
       for (const auto v : model_.triangles[t])
-        pins.push_back({v, handle, pin_strength / static_cast<double>(triangles.size())});
+        pins.push_back({v, handle, strength / static_cast<double>(triangles.size())});
     }
     const double radius = holding_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
-      if (d < radius) pins.push_back({v, handle, pin_strength * std::pow((radius - d) / radius, 2)});
+      if (d < radius) pins.push_back({v, handle, strength * std::pow((radius - d) / radius, 2)});
     }
     return pins;
   }
@@ -162,8 +165,10 @@ private:
       firm[a] = firm[b] = firm[c] = 1;
     }
     for (const auto& c : couplings_) {
-      const auto a = c.vertex, b = c.triangle[0];
-      parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
+      for_sides(c, [&](const mesh::Triangle& t, double, double) {
+        const auto a = t[0], b = t[1];
+        parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
+      });
     }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;
     for (std::uint32_t v = 0; v < original_.positions.size(); ++v) {
@@ -199,26 +204,23 @@ private:
       return std::min({places[t[0]], places[t[1]], places[t[2]]});
     };
     std::ranges::stable_sort(s.triangles, {}, first_place);
-    for (const auto& [a, b, c] : s.triangles) {
+    for (const auto& [a, b, c] : s.triangles)
       s.cotangents.push_back(weights::half_cotangents(p[a], p[b], p[c]));
-      s.gradients.push_back(area_gradients(s.cotangents.back(), p[a], p[b], p[c]));
-    }
     std::vector<std::uint32_t> beside(p.size(), no_triangle);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
       s.rotated_as.push_back(t);
       const auto& [a, b, c] = s.triangles[t];
       if (!weights::is_thin(p[a], p[b], p[c])) beside[a] = beside[b] = beside[c] = t;
     }
-    for (const auto& [a, t, shares, strength] : couplings_) {
-      const auto b = t[0];
-      const auto own = static_cast<std::uint32_t>(s.triangles.size());
-      const auto other = beside[a] != no_triangle ? beside[a] : beside[b];
-      s.rotated_as.push_back(other != no_triangle ? other : own);
-      const Vec3 g = strength * (p[a] - p[b]);
-      s.triangles.push_back({a, b, b});
-      s.cotangents.push_back({0, 0, strength});
-      s.gradients.push_back({g, Vec3{0, 0, 0} - g});
+    for (const weights::Coupling& coupling : s.couplings) {
+      for_sides(coupling, [&](const mesh::Triangle& t, double, double) {
+        const auto own = static_cast<std::uint32_t>(s.triangles.size());
+        const auto other = beside[t[0]] != no_triangle ? beside[t[0]] : beside[t[1]];
+        s.rotated_as.push_back(other != no_triangle ? other : own);
+        s.triangles.push_back(t);
+      });
     }
+    s.gradients = s.gradients_of(p, pool_);
     s.around = mesh::make_adjacency(p.size(), [&](const auto& add) {
       for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         for (std::uint32_t k = 0; k < 3; ++k) add(places[s.triangles[t][k]], 3 * t + k);
@@ -247,7 +249,7 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
-  std::vector<weights::Coupling> couplings_;  // each joins two vertices, see by_corners()
+  std::vector<weights::Coupling> couplings_;
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
 };
@@ -269,9 +271,27 @@ Stitching stitch_all(const mesh::Surface& model, const pose::Cage& cage, base::W
 
 }  // namespace
 
-// Returns the first two rows of K * X. K is the triangle's stiffness matrix; the rows of X are a, b and c.
-std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, const Vec3& c) {
-  return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
+// The gradients of a triangle are the first two rows of K * X. K is its stiffness matrix, which has the half
+// cotangents h; the rows of X are a, b and c.
+std::vector<std::array<Vec3, 2>> Stitching::gradients_of(std::span<const Vec3> x,
+                                                         base::WorkerPool& pool) const {
+  std::vector<std::array<Vec3, 2>> all(triangles.size());
+  pool.for_blocks(cotangents.size(), gradients_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const Vec3 &h = cotangents[t], &a = x[triangles[t][0]], &b = x[triangles[t][1]],
+                 &c = x[triangles[t][2]];
+      all[t] = {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
+    }
+  });
+  std::size_t next = cotangents.size();
+  for (const weights::Coupling& coupling : couplings) {
+    Vec3 gap = x[coupling.vertex];
+    for (std::size_t k = 0; k < 3; ++k) gap = gap - coupling.shares[k] * x[coupling.triangle[k]];
+    for_sides(coupling, [&](const mesh::Triangle&, double first, double second) {
+      all[next++] = {first * gap, second * gap};
+    });
+  }
+  return all;
 }
 
 Stitching stitch(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,

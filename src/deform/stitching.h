@@ -11,13 +11,14 @@
 #include "sparse/sparse_cholesky.h"
 #include "weights/binding.h"
 #include "weights/coarse_model.h"
+#include "weights/part_coupling.h"
 
 namespace viete::deform {
 
 using mesh::Vec3;
 
-/// The weight of a handle's pins at the corners of its nearest triangle. For comparison, the stiffness
-/// between neighbouring vertices is about 1, see stiffness_matrix().
+/// The weight of a handle's pins at the corners of its nearest triangle, times HandleShape::share. For
+/// comparison, the stiffness between neighbouring vertices is about 1, see stiffness_matrix().
 inline constexpr double pin_strength = 0.03;
 
 /// Pose-independent data of a stitching. Stitching finds the positions x' that minimise
@@ -32,9 +33,10 @@ inline constexpr double pin_strength = 0.03;
 /// per corner: the area times the gradient of the corner's hat function. The matrix is factored once.
 ///
 /// Couplings join near parts, the sides of cracks, and vertices at one position, see part_couplings(). A
-/// coupling of a and b with strength c adds the energy c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. The coupling
-/// is stored as triangle (a, b, b). Parts without a pin have a hold with weight 1e-4 at each vertex. A vertex
-/// with only thin triangles (see half_cotangents()), or without triangles, has a hold with weight 1.
+/// coupling of a vertex a and a point b with strength c adds the energy
+/// c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. See for_sides(). Parts without a pin have a hold with weight 1e-4
+/// at each vertex. A vertex with only thin triangles (see half_cotangents()), or without triangles, has a
+/// hold with weight 1.
 ///
 /// The triangles are those of mesh::split_unsettled(). The centers of polygons are further vertices, whose
 /// blended values are the means of those of the polygons' corners. Polygons have at most most_split_corners
@@ -61,8 +63,8 @@ struct Stitching {
   /// For each triangle, the index of the triangle that provides the fitted rotation: the triangle itself or,
   /// for a coupling, a neighbouring triangle, because a line does not determine a rotation.
   std::vector<std::uint32_t> rotated_as;
-  /// Half cotangents of the corners, from which K is computed; (0, 0, c) for a coupling.
-  std::vector<Vec3> cotangents;
+  std::vector<Vec3> cotangents;              ///< half cotangents of the corners, from which K is computed
+  std::vector<weights::Coupling> couplings;  ///< have no cotangents
   /// Area gradients g of the first two corners of each triangle. The third gradient is minus their sum.
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< for each vertex in `order`, all corners at the vertex: 3 * triangle + corner
@@ -73,6 +75,8 @@ struct Stitching {
   std::shared_ptr<const weights::CoarseModel> coarse{};  ///< null if the model itself is stitched
   std::shared_ptr<const weights::Binding> bound{};       ///< binding of the coarse model
 
+  /// Returns `gradients` for the positions x.
+  std::vector<std::array<Vec3, 2>> gradients_of(std::span<const Vec3> x, base::WorkerPool& pool) const;
   /// Returns the number of the model's vertices, without the centers.
   std::size_t vertices() const { return factors.size() - rings.starts.size() + 1; }
   /// Adds the values of the centers to values of the vertices. Each vertex has `columns` values.
@@ -94,8 +98,24 @@ struct Stitching {
   }
 };
 
-/// Returns g of the corners a and b. `cotangents` are half cotangents.
-std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const Vec3& b, const Vec3& c);
+/// Divides a coupling into triangles that join its vertex to the sides of its own triangle, so that the maps
+/// of all corners near the point have influence. Calls visit(triangle, first, second). The factors of the gap
+/// x_a - x_b in g of the first two corners are `first` and `second`.
+template <class Visit>
+void for_sides(const weights::Coupling& coupling, const Visit& visit) {
+  mesh::Triangle corners{};
+  Vec3 shares{};
+  std::size_t count = 0;  // corners without a share are not used
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (coupling.shares[k] == 0) continue;
+    corners[count] = coupling.triangle[k];
+    shares[count++] = coupling.strength * coupling.shares[k] / 2;  // a corner is in two sides
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = (i + 1) % count;
+    visit(mesh::Triangle{coupling.vertex, corners[i], corners[j]}, shares[i] + shares[j], -shares[i]);
+  }
+}
 
 /// Stitches the model to the cage's faces. Each handle pins its nearest triangle, and also the vertices at
 /// distances d < r from its centre: r is deformer.holding.radius * cage.size, and the weight of these pins is

@@ -41,18 +41,15 @@ std::uint32_t PointIndex::find_or_add(const Point& p, const std::vector<Point>& 
 }
 
 std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions) {
-  std::vector<std::uint32_t> lowest(positions.size()), first;
-  std::vector<Point> distinct;
-  PointIndex index(positions.size());
+  std::vector<std::uint32_t> lowest(positions.size());
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * positions.size() + 2), 0);  // vertex + 1, or 0
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     Point p = positions[v];
     for (double& x : p) x += 0.0;  // -0 becomes 0
-    const auto found = index.find_or_add(p, distinct);
-    if (found == distinct.size()) {
-      distinct.push_back(p);
-      first.push_back(v);
-    }
-    lowest[v] = first[found];
+    std::size_t slot = hash(p) & (slots.size() - 1);
+    while (slots[slot] != 0 && positions[slots[slot] - 1] != p) slot = (slot + 1) & (slots.size() - 1);
+    if (slots[slot] == 0) slots[slot] = v + 1;
+    lowest[v] = slots[slot] - 1;
   }
   return lowest;
 }

@@ -1,7 +1,6 @@
 // Finds equal points by a hash table.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,8 +13,6 @@ namespace viete::mesh {
 /// A hash table of points. The caller owns the array of the points.
 class PointIndex {
 public:
-  /// The table does not grow up to `expected` points.
-  explicit PointIndex(std::size_t expected = 511) : slots_(std::bit_ceil(2 * expected + 2), 0) {}
   /// Returns the index of p in `positions`. If p is new, returns positions.size(), and the caller must append
   /// p to the array. A coordinate -0 is usually not found as 0, because their bits differ.
   std::uint32_t find_or_add(const Point& p, const std::vector<Point>& positions);
@@ -24,7 +21,8 @@ private:
   void grow(const std::vector<Point>& positions);
   std::size_t slot_of(const Point& p, const std::vector<Point>& positions) const;
 
-  std::vector<std::uint32_t> slots_;  // index + 1, or 0 for a free slot; the size is a power of two
+  // index + 1, or 0 for a free slot; the size is a power of two
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(1024, 0);
   std::size_t used_ = 0;
 };
 

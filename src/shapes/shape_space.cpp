@@ -109,10 +109,11 @@ std::optional<weights::CoarseModel> ShapeSpace::coarse_of(const mesh::Surface& r
                                                           base::Progress* progress) {
   if (!weights::needs_coarse_model(rest)) return {};
   const base::ProgressPart part(progress, 0, coarse_part);
-  const weights::SurfaceProxy proxy(rest, pool, progress);
-  if (100 * proxy.gathered() > rest.positions.size()) return {};
+  const std::size_t most = rest.positions.size() / 100;
+  const weights::SurfaceProxy proxy(rest, pool, progress, most);
+  if (proxy.gathered() > most) return {};
   weights::CoarseModel coarse(proxy, rest.positions.size(), pool);
-  if (100 * coarse.adopt_clusters() > rest.positions.size()) return {};
+  if (coarse.adopt_clusters() > most) return {};
   return coarse;
 }
 

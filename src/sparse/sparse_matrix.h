@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,25 @@ struct MatrixEntry {
 };
 /// Returns the n x n matrix with these entries. Adds up entries at equal positions.
 SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries);
+/// Returns the transposed matrix. Columns of `matrix` may contain a row several times, in any order; these
+/// entries are added up.
+SparseMatrix transposed_sum(const SparseMatrix& matrix);
+/// Works like sparse_matrix(), without a list of entries. for_each(add) must call add(row, column, value) for
+/// each entry. It is called twice, and must add the same entries in the same order.
+template <class ForEach>
+SparseMatrix sparse_matrix_of(std::size_t n, const ForEach& for_each) {
+  SparseMatrix rows;  // column i lists row i of the result
+  rows.starts.assign(n + 1, 0);
+  for_each([&](std::uint32_t row, std::uint32_t, double) { ++rows.starts[row + 1]; });
+  std::partial_sum(rows.starts.begin(), rows.starts.end(), rows.starts.begin());
+  std::vector<std::int32_t> next(rows.starts.begin(), rows.starts.end() - 1);
+  rows.rows.resize(static_cast<std::size_t>(rows.starts.back())), rows.values.resize(rows.rows.size());
+  for_each([&](std::uint32_t row, std::uint32_t column, double value) {
+    const auto i = static_cast<std::size_t>(next[row]++);
+    rows.rows[i] = static_cast<std::int32_t>(column), rows.values[i] = value;
+  });
+  return transposed_sum(rows);
+}
 
 /// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle. In the
 /// columns of the result, the rows are not in ascending order.

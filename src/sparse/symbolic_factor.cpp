@@ -174,19 +174,18 @@ mesh::Adjacency neighbours_of_unknowns(const SparseMatrix& matrix) {
 }
 
 std::vector<std::uint32_t> elimination_order(const mesh::Adjacency& neighbours) {
-  const auto n = static_cast<std::uint32_t>(neighbours.starts.size() - 1);
-  std::vector<Eigen::Triplet<double>> lower;
-  lower.reserve(n + neighbours.items.size() / 2);
-  for (std::uint32_t v = 0; v < n; ++v) {
-    lower.emplace_back(v, v, 1);
-    for (const auto u : neighbours.of(v)) {
-      if (u > v) lower.emplace_back(u, v, 1);
-    }
+  const auto n = static_cast<int>(neighbours.starts.size() - 1);
+  Eigen::SparseMatrix<double> lower(n, n);
+  lower.reserve(n + static_cast<Eigen::Index>(neighbours.items.size() / 2));
+  for (int v = 0; v < n; ++v) {
+    lower.startVec(v);
+    lower.insertBack(v, v) = 1;
+    for (const auto u : neighbours.of(static_cast<std::size_t>(v)))
+      if (static_cast<int>(u) > v) lower.insertBack(static_cast<int>(u), v) = 1;
   }
-  Eigen::SparseMatrix<double> matrix(n, n);
-  matrix.setFromTriplets(lower.begin(), lower.end());
+  lower.finalize();
   Eigen::AMDOrdering<int>::PermutationType permutation;
-  if (n > 0) Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), permutation);
+  if (n > 0) Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), permutation);
   return {permutation.indices().begin(), permutation.indices().end()};
 }
 

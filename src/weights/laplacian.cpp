@@ -50,19 +50,18 @@ Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Poi
 sparse::SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                                       std::span<const mesh::Triangle> triangles) {
   const auto n = static_cast<std::uint32_t>(positions.size());
-  std::vector<sparse::MatrixEntry> entries;
-  entries.reserve(positions.size() + 12 * triangles.size());
-  for (std::uint32_t v = 0; v < n; ++v) entries.push_back({v, v, 0.0});
-  for (const mesh::Triangle& t : triangles) {
-    if (mesh::repeats_corner(t)) continue;
-    const Vec3 half = half_cotangents(positions[t[0]], positions[t[1]], positions[t[2]]);
-    for (int k = 0; k < 3; ++k) {
-      const auto i = t[(k + 1) % 3], j = t[(k + 2) % 3];
-      entries.push_back({i, i, half[k]}), entries.push_back({j, j, half[k]});
-      entries.push_back({i, j, -half[k]}), entries.push_back({j, i, -half[k]});
+  return sparse::sparse_matrix_of(n, [&](const auto& add) {
+    for (std::uint32_t v = 0; v < n; ++v) add(v, v, 0.0);
+    for (const mesh::Triangle& t : triangles) {
+      if (mesh::repeats_corner(t)) continue;
+      const Vec3 half = half_cotangents(positions[t[0]], positions[t[1]], positions[t[2]]);
+      for (int k = 0; k < 3; ++k) {
+        const auto i = t[(k + 1) % 3], j = t[(k + 2) % 3];
+        add(i, i, half[k]), add(j, j, half[k]);
+        add(i, j, -half[k]), add(j, i, -half[k]);
+      }
     }
-  }
-  return sparse_matrix(positions.size(), entries);
+  });
 }
 
 namespace {

@@ -223,7 +223,8 @@ private:
 }  // namespace
 
 SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const pose::Cage* cage, pose::Elements elements,
-                           std::size_t target, base::WorkerPool& pool, base::Progress* progress)
+                           std::size_t target, base::WorkerPool& pool, base::Progress* progress,
+                           std::size_t most_gathered)
     : model_(model) {
   const auto place = mesh::lowest_in_place(model.positions);
   for (auto t : mesh::split_unsettled(model, 0).surface.triangles) {  // from the lowest vertices
@@ -237,7 +238,11 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const pose::Cage* cage, p
   if (progress) progress->report(0.1);
   std::vector<std::uint32_t> owned;
   if (cage) owned = owned_by_handles(model, triangles_, place, *cage, elements, pool);
-  cluster(target, place, owned, progress);
+  std::vector<bool> small = in_small_parts(model_, triangles_, target);
+  gathered_ = static_cast<std::size_t>(
+      std::ranges::count_if(place, [&](auto v) { return static_cast<bool>(small[v]); }));
+  if (gathered_ > most_gathered) return;
+  cluster(target, std::move(small), place, owned, progress);
   place_clusters();
   triangles_ = {};
   if (progress) progress->report(0.9);
@@ -248,13 +253,13 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const pose::Cage* cage, p
   find_neighbours();
 }
 
-void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>& place,
-                           std::span<const std::uint32_t> apart, base::Progress* progress) {
+void SurfaceProxy::cluster(std::size_t target, std::vector<bool> small,
+                           const std::vector<std::uint32_t>& place, std::span<const std::uint32_t> apart,
+                           base::Progress* progress) {
   double left = 0.8;
   const auto report = [&] {
     if (progress) progress->report(0.9 - (left *= 0.85));
   };
-  std::vector<bool> small = in_small_parts(model_, triangles_, target);
   std::vector<mesh::Triangle> large;
   std::optional<Clusters> clusters;
   for (std::size_t lost = place.size(); lost * least_lost > place.size();) {
@@ -282,16 +287,12 @@ void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>&
   std::vector<std::uint32_t> vertices;
   for (std::uint32_t v = 0; v < place.size(); ++v)
     if (small[place[v]]) vertices.push_back(v);
+  gathered_ = vertices.size();
   if (vertices.empty()) return;
   const Cells cells = cells_of(model_, vertices, target / gathered_share);
   for (std::size_t i = 0; i < vertices.size(); ++i) of_vertex_[vertices[i]] = count + cells.of_vertex[i];
   surface_.positions.resize(count + cells.count);
   cell_ = cells.size;
-}
-
-std::size_t SurfaceProxy::gathered() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(of_vertex_, [&](std::uint32_t c) { return c != none && c >= first_gathered_; }));
 }
 
 void SurfaceProxy::place_clusters() {

@@ -39,10 +39,13 @@ public:
   /// Makes at most about `target` clusters. `cage` may be null. The model must outlive the proxy. Throws
   /// base::Error if the model has no triangles with an area. Throws base::Cancelled.
   SurfaceProxy(const mesh::Surface& model, const pose::Cage* cage, pose::Elements elements,
-               std::size_t target, base::WorkerPool& pool, base::Progress* progress = nullptr);
-  /// Makes the usual number of clusters, without a cage.
-  SurfaceProxy(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress)
-      : SurfaceProxy(model, nullptr, pose::Elements::face, proxy_vertices, pool, progress) {}
+               std::size_t target, base::WorkerPool& pool, base::Progress* progress = nullptr,
+               std::size_t most_gathered = mesh::none);
+  /// Makes the usual number of clusters, without a cage. Makes none if more than `most_gathered` vertices
+  /// would be gathered.
+  SurfaceProxy(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress,
+               std::size_t most_gathered = mesh::none)
+      : SurfaceProxy(model, nullptr, pose::Elements::face, proxy_vertices, pool, progress, most_gathered) {}
 
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }
@@ -50,7 +53,7 @@ public:
   const mesh::Adjacency& members() const { return members_; }
   bool has_cluster(std::uint32_t vertex) const { return of_vertex_[vertex] != mesh::none; }
   /// Number of vertices in clusters that gather small parts.
-  std::size_t gathered() const;
+  std::size_t gathered() const { return gathered_; }
 
   struct Term {
     std::uint32_t cluster;
@@ -61,7 +64,7 @@ public:
   void terms(std::uint32_t vertex, std::vector<Term>& terms) const;
 
 private:
-  void cluster(std::size_t target, const std::vector<std::uint32_t>& place,
+  void cluster(std::size_t target, std::vector<bool> small, const std::vector<std::uint32_t>& place,
                std::span<const std::uint32_t> apart, base::Progress* progress);
   void place_clusters();
   void find_neighbours();
@@ -76,8 +79,9 @@ private:
   mesh::Surface surface_;
   std::uint32_t first_gathered_ = 0;  // clusters from here on gather small parts
   double cell_ = 0;                   // size of their cells
-  std::vector<Vec3> normals_;         // one per cluster, unit length or 0
-  std::vector<double> radii_;         // radius of influence per cluster
+  std::size_t gathered_ = 0;
+  std::vector<Vec3> normals_;  // one per cluster, unit length or 0
+  std::vector<double> radii_;  // radius of influence per cluster
   std::vector<std::uint32_t> nearby_,
       starts_;  // for each cluster: itself, then all clusters within four rings
 };
