@@ -82,6 +82,10 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.type_weight("100");
   CHECK(d.document().library().poses[0].weight == 1);
   CHECK(d.pose() == alert);
+  d.type_weight("37.1974");
+  d.click("pose_weight/0/typed");
+  CHECK(d.workspace().panels.typed.at("pose_weight/0/typed").text == "37.2");
+  d.press_key(workspace::Key::escape);
   d.run("clear_mix");
   CHECK(d.pose() == rest);
 
