@@ -210,7 +210,7 @@ void easing_choice(const Context& ui) {
   const document::PoseKey* key =
       eased.empty() ? nullptr : document::key_at(w.document.timeline(), eased.front());
   ImGui::BeginDisabled(!key);
-  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 110,
+  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 132,
               {"time/", "Easing",
                "Interpolation from the selected keys, or from the key before this frame, to the next key."});
   ImGui::EndDisabled();
@@ -234,7 +234,7 @@ void range(const Context& ui, float right) {
                                              {.prefix = "time/"});
                                }},
                               {138, 8, [&] { way_choice(ui); }},
-                              {110, 8, [&] { easing_choice(ui); }}};
+                              {132, 8, [&] { easing_choice(ui); }}};
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 
