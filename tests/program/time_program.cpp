@@ -172,6 +172,10 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.drag(d.on_track(24, keys), d.on_track(30, keys));
   CHECK(document::key_at(d.timeline(), 30));
   CHECK_FALSE(document::key_at(d.timeline(), 24));
+  d.click(d.on_track(30, keys), 1);
+  d.frame(3);
+  d.click("key_menu/easing_hold");
+  CHECK(document::key_at(d.timeline(), 30)->easing == Easing::hold);
   // While the pointer is over the timeline, Delete removes keys.
   d.click(d.on_track(48, keys));
   d.press_key(workspace::Key::delete_key);
