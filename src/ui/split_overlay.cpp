@@ -37,7 +37,7 @@ std::string way_words(const document::Scheme& scheme) {
   return way ? std::string(base::entry_of(*way).label) : "Custom";
 }
 
-// The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-08".
+// The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-8".
 Caption shown_in(const workspace::Workspace& w, std::size_t number) {
   const document::SideWay way = workspace::shown_way(w, number);
   const workspace::SplitView& view = w.view.split.views[number];
@@ -58,8 +58,8 @@ Caption shown_in(const workspace::Workspace& w, std::size_t number) {
   }
   const workspace::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
   if (const auto exp = running ? std::optional(running->worst_error) : view.exp_error)
-    shown.numbers.push_back("exp " + error(*exp));
-  if (view.fused_error > 0) shown.numbers.push_back("frame " + error(view.fused_error));
+    shown.numbers.push_back("exp " + rough_error(*exp));
+  if (view.fused_error > 0) shown.numbers.push_back("frame " + rough_error(view.fused_error));
   return shown;
 }
 
