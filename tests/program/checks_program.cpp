@@ -143,11 +143,10 @@ TEST_CASE("an_edit_of_the_cage_that_pushes_vertices_out_offers_to_enclose_the_mo
 }
 
 TEST_CASE("points_open_with_a_deformer_that_needs_no_surface") {
-  test::SmallScene scene;
-  mesh::Surface points;
-  points.positions = test::ball(1, 1).positions;
-  formats::write(scene.folder / "points.ply", points);
-  scene.d.document().put_scheme(deform::default_scheme());
-  REQUIRE(scene.d.open({scene.folder / "points.ply"}));
-  CHECK_FALSE(scene.d.document().scheme().weighting.on_surface());
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
+  Driver d;
+  d.document().put_scheme(deform::default_scheme());
+  REQUIRE(d.open({folder / "points.obj"}));
+  CHECK_FALSE(d.document().scheme().weighting.on_surface());
 }
