@@ -101,6 +101,11 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   d.settle();
   CHECK(c.shows("make_cage"));
   CHECK_FALSE(c.shows("enclose_model"));
+  const float over_ground = d.viewer().recorder().find("hide_cage_offer")->y1;
+  d.run("map_displacement");
+  CHECK(c.shows("hide_cage_offer"));
+  CHECK(d.viewer().recorder().find("hide_cage_offer")->y1 < over_ground - 40);  // above the legend
+  d.run("map_none");
   c.open_cage(c.low);
   CHECK(c.shows("enclose_model"));
   CHECK_FALSE(c.shows("make_cage"));
