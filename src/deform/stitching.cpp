@@ -18,6 +18,7 @@
 #include "weights/laplacian.h"
 #include "weights/leaves.h"
 #include "weights/part_coupling.h"
+#include "weights/point_weights.h"
 
 namespace viete::deform {
 
@@ -140,7 +141,7 @@ private:
 
   std::vector<Stitching::Pin> pins_of(std::uint32_t handle, const mesh::Point& center) const {
     std::vector<Stitching::Pin> pins;
-    const double strength = pin_strength * pose::handle_shape(cage_, pose::Elements::face, handle).share;
+    const double strength = pin_strength * weights::handle_shape(cage_, pose::Elements::face, handle).share;
     const auto triangles = nearest_triangles(center);
     for (const std::size_t t : triangles) {
       for (const auto v : model_.triangles[t])

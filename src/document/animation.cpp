@@ -274,12 +274,12 @@ std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> report
     return shapes == 1 ? number : "up to " + number + " in each of " + base::counted(shapes, "shape");
   };
   if (folded > 0)
-    notes.push_back("triangles that fold over or collapse and therefore follow their neighbours: " +
+    notes.push_back("some triangles folded over or collapsed and follow their neighbours: " +
                     text(folded, of_folded));
   if (torn > 0)
     notes.push_back(
-        "pairs of neighbouring triangles that rotate more than 180 degrees relative to each other, where the "
-        "rotation direction is ambiguous: " +
+        "some pairs of neighbouring triangles rotated more than 180 degrees relative to each other; the "
+        "rotation direction there is ambiguous: " +
         text(torn, of_torn));
   return notes;
 }

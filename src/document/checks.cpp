@@ -48,6 +48,18 @@ void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, cons
   add(found, Defect::degenerate, subject, ElementKind::face, summary.degenerate_polygons);
 }
 
+// Joins vertices at equal positions. Removes the sides of repeated faces, which the deformation ignores, by
+// joining their corners.
+mesh::Surface acting_faces(const mesh::Surface& cage, const std::vector<std::uint8_t>& repeated) {
+  mesh::Surface joined = mesh::welded(cage);
+  for (std::size_t p = 0; p < repeated.size(); ++p)
+    for (auto c = joined.polygon_starts[p]; repeated[p] && c < joined.polygon_starts[p + 1]; ++c)
+      joined.corners[c] = joined.corners[joined.polygon_starts[p]];
+  for (std::size_t t = 0; t < joined.triangles.size(); ++t)
+    if (repeated[joined.triangle_polygon[t]]) joined.triangles[t].fill(joined.triangles[t][0]);
+  return joined;
+}
+
 struct Words {
   const char *one, *several;       // the title for one element and for several elements, without the number
   const char *of_cage, *of_model;  // the explanation for a cage and for a model
@@ -138,8 +150,9 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   const mesh::Surface split = mesh::split_at_centers(cage, repeated).surface;
   add(found, Defect::self_intersection, Subject::cage, ElementKind::face,
       faces_of(split, mesh::self_intersecting_triangles(split, progress)));
-  const mesh::Surface joined = mesh::welded(cage);
-  const mesh::Summary summary = mesh::summarize(joined);
+  const mesh::Surface joined = acting_faces(cage, repeated);
+  mesh::Summary summary = mesh::summarize(joined);
+  std::erase_if(summary.degenerate_polygons, [&](auto p) { return repeated[p]; });
   check_edges(found, joined, summary, Subject::cage);
   add(found, Defect::thin, Subject::cage, ElementKind::face,
       faces_of(split, mesh::thin_triangles(split, thin)));

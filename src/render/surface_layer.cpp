@@ -13,6 +13,8 @@ namespace viete::render {
 
 namespace {
 
+constexpr float point_size = 3;  // in logical pixels
+
 // Uploads the image and makes mipmaps. On a GPU, also turns on anisotropic filtering if it is supported.
 void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
   constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // from an extension; part of OpenGL 4.6
@@ -165,8 +167,11 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
   return *program;
 }
 
-void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
-  if (!has_vertices_ || triangle_count_ == 0) return;
+void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& wanted) const {
+  if (!has_vertices_) return;
+  const bool points = triangle_count_ == 0;  // without corners, which edges and looks need
+  SurfaceStyle style = wanted;
+  if (points) style.paint = Paint::plain, style.wireframe = 0;
   indices_.bind(0);
   vertices_.bind(1);
   occlusion_.bind(3);
@@ -180,10 +185,14 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
     use(program_for(style), view, theme, style);
     const auto corners = static_cast<GLsizei>(3 * triangle_count_);
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.buffer.id());
-    if (style.wireframe > 0)
+    if (points) {
+      gl_.PointSize(point_size * view.scale);
+      gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertex_count_));
+    } else if (style.wireframe > 0) {
       gl_.DrawArrays(GL_TRIANGLES, 0, corners);
-    else
+    } else {
       gl_.DrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
+    }
   } else {
     draw_runs(view, theme, style);
   }

@@ -84,7 +84,7 @@ public:
   /// Uses the images of another layer for the runs of this layer. Call this after set_looks().
   void share_images_of(const SurfaceLayer& other) { images_ = other.images_; }
 
-  /// If no vertices or positions are set, draws nothing.
+  /// If no vertices or positions are set, draws nothing. Without triangles, draws points without looks.
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
 private:

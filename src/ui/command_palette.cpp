@@ -73,7 +73,7 @@ void command_palette(const Context& ui) {
   const int steps = arrow_steps();
   const auto n = static_cast<int>(std::max<std::size_t>(1, found.size()));
   palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
-  const float rows = std::min(palette_rows, std::floor((v.size.y - 180) / palette_row));
+  const float rows = std::min(palette_rows, std::floor((v.window.y - v.origin.y - 180) / palette_row));
   const workspace::Command* chosen = nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
   ImGui::BeginChild("found", {0, std::max(3.0f, rows) * palette_row});

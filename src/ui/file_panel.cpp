@@ -40,7 +40,7 @@ const Task tasks[] = {{Purpose::model, "Open model or session", What::model},
                       {Purpose::save_session, "Save session", {}, Content::session},
                       {Purpose::save_pose, "Save pose", {}, Content::pose},
                       {Purpose::save_cage, "Save cage", {}, Content::cage},
-                      {Purpose::save_model, "Export deformed mesh", {}, Content::model},
+                      {Purpose::save_model, "Export mesh", {}, Content::model},
                       {Purpose::save_animation, "Export animation", {}, Content::animation}};
 
 const Task& task_of(Purpose purpose) {
@@ -365,14 +365,11 @@ void content(const Context& ui) {
 void file_panel(const Context& ui) {
   Browser& browser = ui.workspace.files.browser;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)}, middle = middle_of_view(ui);
+  const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)};
   bool open = true;
   workspace::refresh(browser);
   const Dialog dialog((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(),
-                      {.at = {std::clamp(middle.x, 0.5f * size.x, display.x - 0.5f * size.x),
-                              std::clamp(middle.y, 0.5f * size.y, display.y - 0.5f * size.y)},
-                       .size = size},
-                      dialog_flags, &open);
+                      {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
   if (dialog) content(ui);
   if (!open) browser.open = false;
   if (!browser.open) browser.asked.clear();  // later errors are shown as messages

@@ -171,8 +171,8 @@ void key_list(const Context& ui) {
   const document::Viewport& v = w.view.viewport;
   bool open = true;
   const Dialog dialog("Keys and mouse",
-                      {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
-                       .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
+                      {.at = {0.5f * v.window.x, 0.5f * v.window.y},
+                       .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.window.y - 80)}},
                       dialog_flags, &open);
   if (!dialog) return close_keys(w);
   command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
@@ -193,7 +193,8 @@ void key_list(const Context& ui) {
 
 float key_question(const Context& ui, float bottom) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.panels.ask_keys || !w.view.options.panels || w.jobs.loading.running || offers_next_step(w))
+  if (!w.panels.ask_keys || !w.view.options.panels || w.jobs.loading.running ||
+      workspace::offers_next_step(w))
     return bottom;
   const Window window("Choose keymap",
                       {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}},

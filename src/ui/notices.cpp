@@ -29,7 +29,7 @@ void message_log(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   const document::Viewport& v = w.view.viewport;
   bool open = true;
-  const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.size.y - 32)};
+  const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.window.y - 80)};
   const Dialog dialog("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
   w.panels.show_messages = open;
   if (!dialog) return;

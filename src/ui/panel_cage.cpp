@@ -154,16 +154,6 @@ void panel_making(const Context& ui) {
 
 namespace {
 
-// The finding about vertices outside the cage. Null during the checks, and after the first edit unless a
-// change of the cage has pushed vertices out.
-const document::Finding* outside(const workspace::Workspace& w) {
-  const bool begun = w.document.history().can_undo() || w.document.kept_pose();
-  if (!w.document.has_cage() || w.checks.running || w.view.interaction.drag) return nullptr;
-  if (begun && !w.checks.pushed_out) return nullptr;
-  const auto at = workspace::outside_finding(w.checks);
-  return at ? &w.checks.findings[*at] : nullptr;
-}
-
 // Shows a title and a sentence. Returns the width of the text.
 float words(const Context& ui, const std::string& title, const std::string& what) {
   ImGui::PushFont(ui.fonts.strong);
@@ -190,16 +180,12 @@ void ways_to_a_cage(const Context& ui) {
 
 }  // namespace
 
-bool offers_next_step(const workspace::Workspace& w) {
-  return workspace::may_offer_cage(w) && !w.jobs.loading.running && (!w.document.is_movable() || outside(w));
-}
-
 float cage_offer(const Context& ui, float bottom) {
   const workspace::Workspace& w = ui.workspace;
-  if (!offers_next_step(w)) return bottom;
+  if (!workspace::offers_next_step(w)) return bottom;
   const Window window(
       "Cage offer", {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {16, 14}}, card_flags);
-  if (const document::Finding* finding = outside(w)) {
+  if (const document::Finding* finding = workspace::offered_finding(w)) {
     words(ui, document::title(*finding), document::meaning(*finding));
     command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
   } else {

@@ -39,13 +39,16 @@ void finding_card(const Context& ui, std::size_t index) {
   const std::string means = wrapped(document::meaning(finding), wrap);
   const std::string elements =
       document::element_name(finding.kind) + ' ' + document::first_elements(finding, named);
-  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const std::string title = document::title(finding);
+  ImGui::PushFont(ui.fonts.strong);
+  const float top = wrapped_height(title, wrap) + ImGui::GetStyle().ItemSpacing.y;
+  ImGui::PopFont();
   const float middle = wrapped_height(means, wrap);
   ImGui::PushFont(ui.fonts.numbers);
   const float bottom = wrapped_height(elements, wrap);
   ImGui::PopFont();
 
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 7 + line + middle + 4 + bottom + 8};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 7 + top + middle + 4 + bottom + 8};
   const std::string name = "finding/" + std::to_string(index);
   const bool clicked = ImGui::InvisibleButton(name.c_str(), size);
   record(ui, name);
@@ -55,10 +58,9 @@ void finding_card(const Context& ui, std::size_t index) {
   float y = at.y + 7;
   const ImU32 color = document::matters(finding) ? ui.colors.warn : ui.colors.text;
   ImGui::PushFont(ui.fonts.strong);
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, document::title(finding).c_str(),
-               nullptr, wrap);
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, title.c_str(), nullptr, wrap);
   ImGui::PopFont();
-  y += line;
+  y += top;
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.faint, means.c_str(), nullptr, wrap);
   y += middle + 4;
   ImGui::PushFont(ui.fonts.numbers);
@@ -89,6 +91,16 @@ void stepper(const Context& ui) {
   step(">##finding", "finding_next", 1, "Show only the next element.");
 }
 
+// Buttons to fit a cage that does not enclose the model.
+void fit_buttons(const Context& ui) {
+  if (ui.workspace.document.kept_pose()) {  // panel_cage() shows the buttons Enclose and Fit
+    note(ui, "Enclose moves the cage outward there.");
+    return command_row(ui, {"show_outside"});
+  }
+  note(ui, "Enclose moves the cage outward there; Fit moves and scales the whole cage.");
+  command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
+}
+
 // Lists the findings of the cage or of the model.
 void group(const Context& ui, document::Subject subject, const char* heading) {
   const auto& checks = ui.workspace.checks;
@@ -99,23 +111,8 @@ void group(const Context& ui, document::Subject subject, const char* heading) {
     first = false;
     finding_card(ui, i);
     if (checks.shown == i) stepper(ui);
+    if (i == workspace::outside_finding(checks)) fit_buttons(ui);
   }
-}
-
-// Buttons to fit a cage that does not enclose the model.
-void fit_buttons(const Context& ui) {
-  const auto& checks = ui.workspace.checks;
-  const auto at = workspace::outside_finding(checks);
-  if (!at) return;
-  const document::Finding& found = checks.findings[*at];
-  const std::string outside = document::title(found) + ". ";
-  if (ui.workspace.document.kept_pose()) {  // panel_cage() shows the buttons Enclose and Fit
-    note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
-    return command_row(ui, {"show_outside"});
-  }
-  note(ui, outside + "Enclose moves the cage outward there; Fit moves and scales the whole cage.",
-       ui.colors.warn);
-  command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
 }
 
 }  // namespace
@@ -139,7 +136,6 @@ void panel_checks(const Context& ui) {
     note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds. The cage "
                                                 "encloses the model without self-intersections."
                                               : "The model is a closed, oriented manifold.");
-  fit_buttons(ui);
   group(ui, document::Subject::cage, "Cage");
   group(ui, document::Subject::model, "Model");
 }

@@ -67,7 +67,7 @@ void picture(const Context& ui, std::size_t row, const document::NamedPose& name
 
 void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   const std::string id = "pose_weight/" + std::to_string(row);
-  const double percent = 1e-6 * std::round(1e8 * shown);
+  const double percent = std::round(1000 * shown) / 10;
   auto slid = static_cast<float>(percent);
   ImGui::SetNextItemWidth(-percent_width - percent_sign - ImGui::GetStyle().ItemInnerSpacing.x);
   constexpr double least = 100 * document::PoseLibrary::least_weight,

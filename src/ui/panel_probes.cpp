@@ -14,7 +14,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float probe_label = 76;
+constexpr float probe_label = 86;
 
 void influence(const Context& ui, const char* label, const char* name, document::Part part) {
   document::Document& document = ui.workspace.document;

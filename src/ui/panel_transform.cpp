@@ -73,17 +73,17 @@ void label_row(const Context& ui, const char* text) {
   ImGui::SameLine(transform_label + ImGui::GetStyle().WindowPadding.x);
 }
 
-float half_of_rest() {
-  return 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+// The width of the first of two lists in a row.
+float share_of_rest(float share) {
+  return share * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
 }
 
 void pivot_row(const Context& ui) {
   const document::Handling& handling = ui.workspace.view.handling;
   label_row(ui, "Pivot");
-  const float width = half_of_rest();
-  choice_list(ui, "pivot", std::optional(handling.pivot), width);
+  choice_list(ui, "pivot", std::optional(handling.pivot), share_of_rest(0.54f));
   ImGui::SameLine();
-  choice_list(ui, "axes", std::optional(handling.axes), width);
+  choice_list(ui, "axes", std::optional(handling.axes), -1);
 }
 
 std::string pairs_text(const document::MirrorCache& known) {
@@ -95,7 +95,7 @@ std::string pairs_text(const document::MirrorCache& known) {
 void mirror_row(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   label_row(ui, "Mirror");
-  const float width = half_of_rest();
+  const float width = share_of_rest(0.5f);
   choice_list(ui, "mirror", std::optional(w.view.handling.mirror), width);
   ImGui::SameLine();
   const float right = ImGui::GetCursorScreenPos().x + width;
@@ -128,10 +128,9 @@ void soft_rows(const Context& ui) {
   ImGui::SetCursorPosX(column);
   soft_radius(ui);
   ImGui::SetCursorPosX(column);
-  const float width = half_of_rest();
-  choice_list(ui, "soft_curve", std::optional(soft.curve), width);
+  choice_list(ui, "soft_curve", std::optional(soft.curve), share_of_rest(0.43f));
   ImGui::SameLine();
-  choice_list(ui, "soft_distance", std::optional(soft.distance), width);
+  choice_list(ui, "soft_distance", std::optional(soft.distance), -1);
   ImGui::EndDisabled();
 }
 

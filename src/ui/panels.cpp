@@ -96,11 +96,9 @@ void draw_panels(const Context& ui) {
   }
   context_menu(ui);
   const document::Viewport& v = ui.workspace.view.viewport;
-  const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
-  const float work = work_bar(ui, bottom);
-  const float free = std::min({cage_offer(ui, work), map_legend(ui, bottom), key_question(ui, work)});
-  toasts(ui, free - 44);
+  const float bottom = work_bar(ui, map_legend(ui, v.origin.y + v.size.y));
+  toasts(ui, std::min(cage_offer(ui, bottom), key_question(ui, bottom)) - 44);
   dialog(ui);
 }
 

@@ -74,7 +74,6 @@ float cage_offer(const Context& ui, float bottom);    ///< suggests to get a cag
 float key_question(const Context& ui, float bottom);  ///< the choice of a keymap at the first start
 float work_bar(const Context& ui, float bottom);      ///< running work, with progress and Cancel
 float map_legend(const Context& ui, float bottom);    ///< the meaning of the colours of the mesh
-bool offers_next_step(const workspace::Workspace& workspace);  ///< true if cage_offer() is shown
 /// Draws picture, name and date of recovered edits. Returns true if a click restores them.
 bool recovery_card(const Context& ui, const files::RecoveryFile& file, const std::string& id, float width);
 inline constexpr float recovery_card_height = 46;

@@ -3,6 +3,7 @@
 #include <cfloat>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
@@ -23,12 +24,12 @@ std::string blending_words(const workspace::Workspace& w, bool other) {
 }
 
 struct Caption {
-  std::string title, numbers;
+  std::string title;
+  std::vector<std::string> numbers;
 
   void add_title(const std::string& part) {
     title += (title.empty() || part.empty() ? "" : " \u00b7 ") + part;
   }
-  void add_number(const std::string& part) { numbers += (numbers.empty() ? "" : "   ") + part; }
 };
 
 std::string deformer_words(const document::Deformer& deformer) {
@@ -36,7 +37,7 @@ std::string deformer_words(const document::Deformer& deformer) {
   return way ? std::string(base::entry_of(*way).label) : "Custom";
 }
 
-// The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-08".
+// The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-8".
 Caption shown_in(const workspace::Workspace& w, std::size_t number) {
   const document::SideView way = workspace::view_settings(w, number);
   const workspace::SplitView& view = w.view.split.views[number];
@@ -47,15 +48,33 @@ Caption shown_in(const workspace::Workspace& w, std::size_t number) {
   }
   shown.add_title(blending_words(w, way.other_blending));
   if (!view.problem.empty() || view.binding) {
-    shown.add_number(view.problem.empty() ? "binding" : view.problem);
+    shown.numbers.push_back(view.problem.empty() ? "binding" : view.problem);
     return shown;
   }
-  if (const auto times = view.stats.deforming_median()) shown.add_number(milliseconds(times->stages.total()));
+  if (const auto times = view.stats.deforming_median()) {
+    const double bar = w.frame.method_times.stages[workspace::running_times(w)].total();
+    shown.numbers.push_back(
+        milliseconds(number == 0 && bar > 0 ? bar : times->stages.total()));  // as in Timings
+  }
   const workspace::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
   if (const auto exp = running ? std::optional(running->worst_error) : view.exp_error)
-    shown.add_number("exp " + error(*exp));
-  if (view.fused_error > 0) shown.add_number("frame " + error(view.fused_error));
+    shown.numbers.push_back("exp " + rough_error(*exp));
+  if (view.fused_error > 0) shown.numbers.push_back("frame " + rough_error(view.fused_error));
   return shown;
+}
+
+// Joins the numbers, as many in a line as fit.
+std::string in_lines(const Context& ui, const std::vector<std::string>& numbers, float width) {
+  std::string text, line;
+  ImGui::PushFont(ui.fonts.numbers);
+  for (const std::string& number : numbers) {
+    const std::string longer = line.empty() ? number : line + "   " + number;
+    const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+    if (!fits) text += line + '\n';
+    line = fits ? longer : number;
+  }
+  ImGui::PopFont();
+  return text + line;
 }
 
 // Draws a view's caption with its upper or lower left corner near `at`. Text wider than `room` is wrapped.
@@ -63,6 +82,7 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool
   const ImVec2 padding{10, 6};
   const float most = std::max(room - 16 - 2 * padding.x, 1.0f);
   const Caption shown = shown_in(ui.workspace, view);
+  const std::string in_view = in_lines(ui, shown.numbers, most);
   const auto height_of = [](ImFont* font) {
     ImGui::PushFont(font);
     const float height = ImGui::GetFontSize();
@@ -72,8 +92,7 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool
   const auto size_of = [&](ImFont* font, const std::string& words) {
     return words.empty() ? ImVec2(0, 0) : font->CalcTextSizeA(height_of(font), FLT_MAX, most, words.c_str());
   };
-  const ImVec2 title = size_of(ui.fonts.strong, shown.title),
-               numbers = size_of(ui.fonts.numbers, shown.numbers);
+  const ImVec2 title = size_of(ui.fonts.strong, shown.title), numbers = size_of(ui.fonts.numbers, in_view);
   const float wide = std::max(title.x, numbers.x), tall = title.y + numbers.y;
   if (tall == 0) return;
   const ImVec2 low{at.x + 8, at_bottom ? at.y - tall - 2 * padding.y - 8 : at.y + 8};
@@ -86,7 +105,7 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool
                  nullptr, most);
   };
   put(ui.fonts.strong, ui.colors.text, shown.title, 0);
-  put(ui.fonts.numbers, ui.colors.faint, shown.numbers, title.y);
+  put(ui.fonts.numbers, ui.colors.faint, in_view, title.y);
   draw.PopClipRect();
 }
 

@@ -175,6 +175,7 @@ void way_choice(const Context& ui) {
   const bool linear = ui.workspace.document.timeline().linear;
   const workspace::Command& command = *workspace::find_command("toggle_linear");
   const char* labels[] = {"Log space", "Linear"};
+  constexpr float widths[] = {76, 56};
   const char* hints[] = {
       "Interpolate rotation and stretch between poses: halfway to 180 degrees is 90 degrees.",
       "Interpolate vertex positions linearly between poses. Rotating parts shrink."};
@@ -184,7 +185,8 @@ void way_choice(const Context& ui) {
     const bool on = linear == (i == 1);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/linear", hints[i], {76, bar_height}) && !on)
+    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/linear", hints[i], {widths[i], bar_height}) &&
+        !on)
       command.run(ui.workspace);
     if (on) ImGui::PopStyleColor(2);
   }
@@ -210,7 +212,7 @@ void easing_choice(const Context& ui) {
   const document::PoseKey* key =
       eased.empty() ? nullptr : document::key_at(w.document.timeline(), eased.front());
   ImGui::BeginDisabled(!key);
-  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 110,
+  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 132,
               {"time/", "Easing",
                "Interpolation from the selected keys, or from the key before this frame, to the next key."});
   ImGui::EndDisabled();
@@ -220,11 +222,11 @@ void range(const Context& ui, float right) {
   document::Document& document = ui.workspace.document;
   document::Playing play = document.timeline();
   if (const auto first =
-          frame_field(ui, "From", "time/first", play.first, 52, "First frame of the playback range."))
+          frame_field(ui, "From", "time/first", play.first, 44, "First frame of the playback range."))
     play.first = *first, play.last = std::max(play.last, *first + 1);
   ImGui::SameLine(0, 8);
   if (const auto last =
-          frame_field(ui, "to", "time/last", play.last, 52, "Last frame of the playback range."))
+          frame_field(ui, "to", "time/last", play.last, 44, "Last frame of the playback range."))
     play.last = *last, play.first = std::min(play.first, *last - 1);
   document::set_play(document, play);
   const ToolPiece pieces[] = {{76, 8, [&] { rate_field(ui); }},
@@ -233,8 +235,8 @@ void range(const Context& ui, float right) {
                                  choice_list(ui, "time/repeat", std::optional(document.timeline().repeat), 92,
                                              {.prefix = "time/"});
                                }},
-                              {138, 8, [&] { way_choice(ui); }},
-                              {110, 8, [&] { easing_choice(ui); }}};
+                              {134, 8, [&] { way_choice(ui); }},
+                              {132, 8, [&] { easing_choice(ui); }}};
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 

@@ -145,7 +145,7 @@ void follow_mouse(const Track& t) {
 
 void key_menu(const Context& ui) {
   if (!ImGui::BeginPopup("Keys of time")) return;
-  for (const char* name : {"easing_smooth", "easing_linear", "easing_hold", "delete_keys"}) {
+  for (const char* name : {"easing_smooth", "easing_constant_speed", "easing_hold", "delete_keys"}) {
     const workspace::Command& command = *workspace::find_command(name);
     const bool deletes = std::string_view(name) == "delete_keys";
     if (deletes) ImGui::Separator();

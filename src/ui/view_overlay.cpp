@@ -116,7 +116,8 @@ void view_overlay(const Context& ui) {
   if (w.jobs.working()) return;  // the progress bar needs this place
   if (w.document.kept_pose() && options.panels) return editing_hint(ui);
   const bool room =  // false if the legend, the brush or the next step needs the place
-      workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) && !offers_next_step(w);
+      workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) &&
+      !workspace::offers_next_step(w);
   if (options.hints && room && w.document.has_cage() && options.panels && !w.view.interaction.drag) hints(ui);
 }
 

@@ -71,6 +71,17 @@ namespace {
 
 constexpr int placed_styles = 4;  // popped after Begin(): menus and tooltips have the usual style
 
+// Returns the nearest place at which a window of this size is inside the screen. A size of 0 is unknown.
+Window::Place on_screen(Window::Place place) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const auto inside = [](float at, float pivot, float size, float most) {
+    return std::clamp(at, pivot * size, std::max(pivot * size, most - (1 - pivot) * size));
+  };
+  place.at = {inside(place.at.x, place.pivot.x, place.size.x, screen.x),
+              inside(place.at.y, place.pivot.y, place.size.y, screen.y)};
+  return place;
+}
+
 // Sets the place and the style of the next window.
 void place_next(const Window::Place& place) {
   ImGui::SetNextWindowPos(place.at, ImGuiCond_Always, place.pivot);
@@ -95,7 +106,7 @@ Window::~Window() {
 }
 
 Dialog::Dialog(const char* name, const Window::Place& place, ImGuiWindowFlags flags, bool* open) {
-  place_next(place);
+  place_next(on_screen(place));
   if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
   shown_ = ImGui::BeginPopupModal(name, open, flags);
   ImGui::PopStyleVar(placed_styles);
@@ -160,6 +171,7 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
   if (std::exchange(appearing, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##typed", "Find command", text, sizeof text);
+  appearing = ImGui::IsItemDeactivated() && enter_pressed();  // Enter does not end typing
   record(ui, name);
   typed = text;
 }

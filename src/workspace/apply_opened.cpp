@@ -39,7 +39,9 @@ void take_document(Workspace& w, document::Document&& document, bool keep_settin
   const document::Document& old = w.document;
   if (keep_settings) {
     document.put_method(old.method());
-    document.put_deformer(old.deformer());
+    const bool points = document.model().surface->triangles.empty();
+    if (!points || !old.deformer().weighting.on_surface())  // otherwise keeps the deformer of open_files()
+      document.put_deformer(old.deformer());
   }
   document.mark_replacing(old);
   w.document = std::move(document);

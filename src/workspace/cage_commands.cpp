@@ -27,6 +27,9 @@ void switch_cage_editing(document::Document& document) {
   is_editing_cage(document) ? end_cage_editing(document) : begin_cage_editing(document);
 }
 
+constexpr Condition has_suggestion{[](const Workspace& w) { return offers_next_step(w); },
+                                   "The view shows no suggestion."};
+
 constexpr Concern of_cage{.scope = Scope::cage};
 
 void enclose_and_say(Workspace& w) {
@@ -90,7 +93,7 @@ void add_cage_commands(CommandTable& table) {
               w.view.interaction.hovered.reset();
             }));
   table.add("hide_cage_offer", {"Dismiss cage suggestion", "Not now"},
-            "Close this suggestion. The sections Cage and Checks have the same commands.", has_model,
+            "Close this suggestion. The sections Cage and Checks have the same commands.", has_suggestion,
             passing([](Workspace& w) { w.panels.offer_cage = false; }));
   table.add("edit_cage", "Edit cage",
             "Edit the vertices and faces of the cage at rest. The pose follows the edits.", {Key::tab},

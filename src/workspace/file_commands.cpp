@@ -121,10 +121,9 @@ void add_file_commands(CommandTable& table) {
   table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage, [](Workspace& w) {
     browse_to_save(w, Purpose::save_cage, w.document.model().path, "_cage.obj");
   });
-  table.add("save_model", {"Export deformed mesh", "Export mesh"}, "Write the deformed mesh to a file.",
-            {key('E'), true}, is_movable, [](Workspace& w) {
-              browse_to_save(w, Purpose::save_model, w.document.model().path, "_deformed.obj");
-            });
+  table.add(
+      "save_model", "Export mesh", "Write the deformed mesh to a file.", {key('E'), true}, is_movable,
+      [](Workspace& w) { browse_to_save(w, Purpose::save_model, w.document.model().path, "_deformed.obj"); });
   table.add("stop_work", {"Cancel current task", "Cancel"},
             "Cancel the current task: opening a file, making a cage or binding. The document stays as it is.",
             {Key::escape}, is_working, passing(cancel<CancelWork::Work::opening>));

@@ -118,10 +118,17 @@ void play(Workspace& w, double seconds) {
   stop_playing(w);
 }
 
-double weight_in(const document::PoseKey& key, const document::NamedPose& named) {
-  const auto mixed = std::ranges::find(key.mix, named.name, &document::MixedPose::name);
-  if (mixed != key.mix.end()) return mixed->weight;
-  return key.mix.empty() && same_pose(*key.pose, *named.pose) ? 1 : 0;
+// Adds `factor` times the weights of the named poses in a key. A key without a mix has the weight 1 of the
+// first equal pose: of several equal poses, only one makes the key.
+void add_weights(const document::PoseKey& key, double factor, const std::vector<document::NamedPose>& poses,
+                 std::vector<double>& weights) {
+  const auto add = [&](const auto& pose, double weight) {
+    if (pose != poses.end()) weights[static_cast<std::size_t>(pose - poses.begin())] += factor * weight;
+  };
+  for (const document::MixedPose& mixed : key.mix)
+    add(std::ranges::find(poses, mixed.name, &document::NamedPose::name), mixed.weight);
+  if (key.mix.empty())
+    add(std::ranges::find_if(poses, [&](const auto& p) { return same_pose(*key.pose, *p.pose); }), 1);
 }
 
 }  // namespace
@@ -159,8 +166,7 @@ std::vector<double> shown_weights(const Workspace& w) {
   std::ranges::transform(poses, weights.begin(), &document::NamedPose::weight);
   if (w.document.library().mixes() || timeline.keys.empty() || has_unkeyed_pose(w)) return weights;
   for (const document::KeyShare& share : moment_at(timeline, w.document.frame()).shares)
-    for (std::size_t i = 0; i < poses.size(); ++i)
-      weights[i] += share.factor * weight_in(timeline.keys[share.key], poses[i]);
+    add_weights(timeline.keys[share.key], share.factor, poses, weights);
   return weights;
 }
 
@@ -201,8 +207,9 @@ void go_to_key(Workspace& w, bool forward) {
 void add_unkeyed_to_undo(Workspace& w, bool show) {
   document::Document& document = w.document;
   const std::size_t count = document.timeline().unkeyed.size();
+  const bool shows_keys = animation_of(w) && has_keyed_pose(w);
+  if (shows_keys) take_as_keyed(document);  // files do not contain the source of the pose
   if (count == 0) return;
-  const bool shows_keys = animation_of(w) && !has_unkeyed_pose(w);
   document::Document then = document.without_history();
   end_mix(then);
   then.changed_timeline().unkeyed.clear();

@@ -118,11 +118,10 @@ const std::vector<PictureShape>& PosePictures::of(const document::Document& docu
   Picture& picture = pictures_[pose.get()];
   if (picture.pose) return picture.shapes;
   picture.pose = pose;
-  if (pose->shape) {
-    picture.shapes = shape_picture(*model_, *pose->shape, up, pose_picture_size);
-  } else if (cage_) {
-    picture.shapes = pose_picture(cage_->surface, pose->cage.positions, up);
-  }
+  picture.shapes =
+      cage_ && !pose->shape
+          ? pose_picture(cage_->surface, pose->cage.positions, up)
+          : shape_picture(*model_, pose->shape ? *pose->shape : model_->positions, up, pose_picture_size);
   return picture.shapes;
 }
 

@@ -135,7 +135,7 @@ void add_select_commands(CommandTable& table) {
   table.add("hide_selected", {"Hide selected", "Hide"},
             "Hide the selection. Hidden elements stay unchanged until shown again.", {key('H'), false, true},
             without_drag<has_selection_of_cage>, change_groups<document::hide_selected>);
-  table.add("hide_others", {"Hide unselected", "Hide others"}, "Hide all unselected elements of the cage.",
+  table.add("hide_others", "Hide unselected", "Hide all unselected elements of the cage.",
             {key('H'), true, true}, without_drag<has_selection_of_cage>,
             change_groups<document::hide_others>);
   table.add("show_hidden", {"Show hidden", "Show hidden"}, "Show all hidden elements of the cage again.",

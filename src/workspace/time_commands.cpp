@@ -196,7 +196,7 @@ void add_time_commands(CommandTable& table) {
             {Key::left, false, true}, shows_time, to_end<&document::Playing::first>);
   table.add("last_frame", "Last frame", "Go to the last frame of the playback range.",
             {Key::right, false, true}, shows_time, to_end<&document::Playing::last>);
-  table.add("fit_range", {"Set range to keys", "Fit to keys"},
+  table.add("fit_range", {"Fit range to keys", "Fit to keys"},
             "Set the playback range from the first to the last key.", has_time, fit_range);
   add_choices<document::Easing>(table, "Easing", has_pose_keys, [](Workspace& w, document::Easing easing) {
     set_easing(w.document, eased_keys(w), easing);
@@ -205,7 +205,7 @@ void add_time_commands(CommandTable& table) {
                                 [](Workspace& w, document::Repeat repeat) {
                                   change_play(w, [&](document::Playing& play) { play.repeat = repeat; });
                                 });
-  table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
+  table.add("toggle_auto_key", "Auto key",
             "Set a key at this frame after each edit. Works only if there is a key already.", always,
             {[](Workspace& w) { w.playback.auto_key ^= true; },
              [](const Workspace& w) { return w.playback.auto_key; }});

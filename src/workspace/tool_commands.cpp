@@ -157,10 +157,10 @@ void add_tool_commands(CommandTable& table) {
   table.add("next_mirror", "Next mirror", "Switch to the next mirror: X, Y, Z, best-fit plane or off.",
             {key('M'), false, true}, no_drag_runs, choose_next<document::MirrorPlane>);
   add_hand_choices<document::MirrorPlane>(table, "Mirror");
-  table.add("mirror_copy", {"Copy pose to other side", "Copy to other side"},
-            "Copy the mirrored pose of the selection to the other side.", has_mirrored_selection,
+  table.add("mirror_copy", "Copy to other side", "Copy the mirrored pose of the selection to the other side.",
+            has_mirrored_selection,
             [](Workspace& w) { interact::copy_to_other_side(w.document, *mirror_of(w)); });
-  table.add("mirror_swap", {"Swap poses of both sides", "Swap sides"},
+  table.add("mirror_swap", "Swap sides",
             "Exchange the mirrored poses of the selection and its other side. Without a selection, exchange "
             "the sides of the whole cage.",
             has_mirror, [](Workspace& w) { interact::swap_sides(w.document, *mirror_of(w)); });
@@ -195,13 +195,13 @@ void add_tool_commands(CommandTable& table) {
             [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); });
   table.heading("Probes");
   table.add("add_probe", {"Add probe", "Add"},
-            "Add a probe at the point of the model under the pointer. A probe moves, rotates and stretches "
-            "the model near it.",
+            "Add a probe at the model point under the pointer, or in the middle of the view. It moves, "
+            "rotates and stretches the model nearby.",
             {key('P')}, has_probe_room, add_in_view<document::add_probe>);
   table.add(
       "add_pin", {"Pin vertex", "Pin"},
-      "Pin the vertex under the pointer. Drag pins to pose the model by the shapes in the pose list, or "
-      "as rigidly as possible.",
+      "Pin the vertex under the pointer, or in the middle of the view. Drag pins to pose the model by its "
+      "shapes, or rigidly.",
       {key('P'), false, false, true}, has_probe_room, add_in_view<document::add_pin>);
   table.add("toggle_pulls", {"Make pins soft", "Soft pins"},
             "Pull vertices softly towards the selected pins. When off, the vertices are exactly at the pins.",

@@ -36,8 +36,8 @@ void add_looks(CommandTable& table) {
                {"view_back", "from the back", "Back", {Key::pad1, true}, V::back},
                {"view_right", "from the right", "Right", {Key::pad3}, V::right},
                {"view_left", "from the left", "Left", {Key::pad3, true}, V::left},
-               {"view_top", "from above", "Top", {Key::pad7}, V::top},
-               {"view_bottom", "from below", "Bottom", {Key::pad7, true}, V::bottom}};
+               {"view_top", "from the top", "Top", {Key::pad7}, V::top},
+               {"view_bottom", "from the bottom", "Bottom", {Key::pad7, true}, V::bottom}};
   const auto look = [](V view) {
     return [view](Workspace& w) {
       w.view.camera.look(view);

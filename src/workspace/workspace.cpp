@@ -125,8 +125,21 @@ std::vector<files::RecoveryFile> Recovery::offers() const {
   return unseen.empty() ? files : unseen;
 }
 
-bool may_offer_cage(const Workspace& w) {
+static bool may_offer_cage(const Workspace& w) {
   return w.panels.offer_cage && w.view.options.panels && w.document.model().surface && !w.making.open;
+}
+
+const document::Finding* offered_finding(const Workspace& w) {
+  const bool begun = w.document.history().can_undo() || w.document.kept_pose();
+  if (!w.document.has_cage() || w.checks.running || w.view.interaction.drag) return nullptr;
+  if (begun && !w.checks.pushed_out) return nullptr;
+  const auto at = outside_finding(w.checks);
+  return at ? &w.checks.findings[*at] : nullptr;
+}
+
+bool offers_next_step(const Workspace& w) {
+  return may_offer_cage(w) && !w.jobs.loading.running &&
+         (!w.document.is_movable() || offered_finding(w) != nullptr);
 }
 
 float offer_height(const Workspace& w) {

@@ -315,8 +315,11 @@ document::SideViews side_views(const Workspace& workspace);
 void begin_widget_edit(Workspace& workspace);
 void cancel_widget_edit(Workspace& workspace);
 
-/// True if the view may suggest to get a cage, or to enclose the model.
-bool may_offer_cage(const Workspace& workspace);
+/// True if the view suggests to get a cage, or to enclose the model.
+bool offers_next_step(const Workspace& workspace);
+/// The vertices outside the cage, if the view may suggest to enclose them. Null during the checks, and after
+/// the first edit unless a change of the cage has pushed vertices out.
+const document::Finding* offered_finding(const Workspace& workspace);
 /// The height in logical pixels of the suggestion to get a cage; 0 if it is not shown.
 float offer_height(const Workspace& workspace);
 

@@ -190,6 +190,7 @@ TEST_CASE("a_repeated_face_is_named_and_does_not_matter") {
   REQUIRE(at != found.end());
   CHECK(at->elements == List{12});
   CHECK_FALSE(matters(*at));
+  CHECK(found.size() == 1);  // its edges are not edges with more than two faces
 }
 
 TEST_CASE("points_have_no_findings_about_faces") {

@@ -83,7 +83,7 @@ TEST_CASE("notes_about_shapes_are_shown_once") {
   CHECK(notes.empty());
   s.mixed({{flat, 0.5}}, false, &notes);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "triangles that fold over or collapse and therefore follow their neighbours: 36");
+  CHECK(notes[0] == "some triangles folded over or collapsed and follow their neighbours: 36");
   s.mixed({{flat, 0.5}, {flat, 0.25}}, false, &notes);
   CHECK(mentions(notes.at(0), "up to 36 in each of 2 shapes"));
   notes.clear();

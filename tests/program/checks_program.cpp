@@ -101,6 +101,11 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   d.settle();
   CHECK(c.shows("make_cage"));
   CHECK_FALSE(c.shows("enclose_model"));
+  const float over_ground = d.viewer().recorder().find("hide_cage_offer")->y1;
+  d.run("map_displacement");
+  CHECK(c.shows("hide_cage_offer"));
+  CHECK(d.viewer().recorder().find("hide_cage_offer")->y1 < over_ground - 40);  // above the legend
+  d.run("map_none");
   c.open_cage(c.low);
   CHECK(c.shows("enclose_model"));
   CHECK_FALSE(c.shows("make_cage"));
@@ -140,4 +145,13 @@ TEST_CASE("an_edit_of_the_cage_that_pushes_vertices_out_offers_to_enclose_the_mo
   c.check();
   CHECK(d.workspace().checks.outside == 0);
   CHECK_FALSE(c.shows("hide_cage_offer"));
+}
+
+TEST_CASE("points_open_with_a_deformer_that_needs_no_surface") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
+  Driver d;
+  d.document().put_deformer(pose::default_deformer());
+  REQUIRE(d.open({folder / "points.obj"}));
+  CHECK_FALSE(d.document().deformer().weighting.on_surface());
 }

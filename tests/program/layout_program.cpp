@@ -227,6 +227,9 @@ TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   d.press_key(workspace::Key::enter);  // there is nothing to save
   CHECK(d.workspace().panels.palette.open);
   CHECK_FALSE(d.workspace().files.browser.open);
+  d.frame(3);
+  d.type("z");  // Enter does not end typing
+  CHECK(d.workspace().panels.palette.typed.ends_with('z'));
   d.press_key(workspace::Key::escape);
   CHECK_FALSE(d.workspace().panels.palette.open);
 }

@@ -93,3 +93,18 @@ TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
   pick("time/more_of_range", "time/linear");
   CHECK(d.document().timeline().linear);
 }
+
+TEST_CASE("dialogs_are_inside_a_small_window") {
+  SmallScene scene(small_options({800, 500}));
+  Driver& d = scene.d;
+  d.workspace().preferences.layout.timeline = true;
+  const std::pair<const char*, std::string> dialogs[] = {
+      {"command_palette", "palette_text"}, {"help", "keys_text"}, {"show_messages", "clear_messages"}};
+  for (const auto& [command, widget] : dialogs) {
+    d.run(command);
+    d.frame(4);
+    CHECK_MESSAGE(is_inside(d, widget), command);
+    d.press_key(workspace::Key::escape);
+    d.frame(2);
+  }
+}

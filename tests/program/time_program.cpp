@@ -82,6 +82,10 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.type_weight("100");
   CHECK(d.document().library().poses[0].weight == 1);
   CHECK(d.pose() == alert);
+  d.type_weight("37.1974");
+  d.click("pose_weight/0/typed");
+  CHECK(d.workspace().panels.typed.at("pose_weight/0/typed").text == "37.2");
+  d.press_key(workspace::Key::escape);
   d.run("clear_mix");
   CHECK(d.pose() == rest);
 
@@ -168,6 +172,10 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.drag(d.on_track(24, keys), d.on_track(30, keys));
   CHECK(document::key_at(d.timeline(), 30));
   CHECK_FALSE(document::key_at(d.timeline(), 24));
+  d.click(d.on_track(30, keys), 1);
+  d.frame(3);
+  d.click("key_menu/easing_hold");
+  CHECK(document::key_at(d.timeline(), 30)->easing == Easing::hold);
   // While the pointer is over the timeline, Delete removes keys.
   d.click(d.on_track(48, keys));
   d.press_key(workspace::Key::delete_key);

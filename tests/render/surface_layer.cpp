@@ -125,6 +125,14 @@ TEST_CASE("scalars_choose_the_palette_colour") {
   CHECK(right[0] > right[2] + 30);  // yellow
 }
 
+TEST_CASE("a_surface_without_triangles_is_drawn_as_points") {
+  test::Ball ball = test::ball(7);
+  ball.triangles.clear();
+  Scene scene(ball);
+  CHECK(test::count_not_black(scene.picture()) > 1000);
+  CHECK(test::count_not_black(scene.picture({.paint = render::Paint::file, .wireframe = 1})) > 1000);
+}
+
 TEST_CASE("non_finite_vertices_do_not_spread_and_an_empty_surface_is_not_drawn") {
   CHECK(test::count_not_black(Scene(test::Ball{}).picture()) == 0);
   test::Ball ball = test::ball(7);

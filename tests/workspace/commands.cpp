@@ -1,6 +1,8 @@
 #include "workspace/command.h"
 
+#include <cctype>
 #include <set>
+#include <sstream>
 
 #include "support/commands.h"
 #include "support/cube.h"
@@ -238,6 +240,24 @@ TEST_CASE("every_command_is_understood_by_its_label_alone") {
     if (command.submenu.empty()) continue;
     CHECK_MESSAGE(label.size() > command.brief.size(), label);  // the label begins with the submenu's title
   }
+}
+
+// The first letters of each word: "Lock probes" and "Locked" have the stem "lock" in common.
+static std::set<std::string> stems(std::string label) {
+  std::ranges::transform(label, label.begin(), [](unsigned char c) {
+    return std::isalpha(c) ? static_cast<char>(std::tolower(c)) : ' ';
+  });
+  std::set<std::string> all;
+  std::istringstream words(label);
+  for (std::string word; words >> word;) all.insert(word.substr(0, 4));
+  return all;
+}
+
+TEST_CASE("a_short_label_has_the_words_of_the_full_label") {
+  const std::set<std::string_view> answers = {"Done", "Not now", "None", "Open this cage"};
+  for (const Command& command : commands())
+    if (!answers.contains(command.brief))
+      CHECK_MESSAGE(std::ranges::includes(stems(command.label), stems(command.brief)), command.name);
 }
 
 TEST_CASE("commands_of_one_choice_follow_one_another_in_their_menu") {

@@ -65,6 +65,12 @@ TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
   CHECK(extent(pictures.of(document, other, UpAxis::y)).y < 0.6f * pose_picture_size.y);
 }
 
+TEST_CASE("without_a_cage_a_pose_without_a_shape_shows_the_model_at_rest") {
+  const Document document(test::cube_document().model());
+  PosePictures pictures;
+  CHECK_FALSE(pictures.of(document, std::make_shared<const WholePose>(), UpAxis::y).empty());
+}
+
 TEST_CASE("a_view_fills_its_frame_and_keeps_lengths") {
   const mesh::Surface cube = test::cube();
   CHECK(view_of(cube).at({0, 0, 0}) == glm::vec2(100, 50));

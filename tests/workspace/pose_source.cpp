@@ -11,7 +11,9 @@
 #include "document/record.h"
 #include "document/time_edit.h"
 #include "support/posed_cube.h"
+#include "workspace/apply_opened.h"
 #include "workspace/playing.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -136,4 +138,26 @@ TEST_CASE("each_transition_leads_to_one_source_of_the_pose_and_undo_leads_back")
       CHECK(scene.w.document.pose().positions == positions);
     }
   }
+}
+
+TEST_CASE("an_opened_session_between_keys_shows_the_weights_of_its_keys") {
+  Scene scene(by_frame);
+  scene.go_to(21);
+  const std::vector<double> shown = shown_weights(scene.w);
+  REQUIRE(shown[1] > 0.1);
+  files::Opened opened;
+  opened.session = session_of(scene.w);
+  opened.document = scene.w.document.without_history();
+  opened.document->changed_source() = {};  // as in a file
+  apply_opened(scene.w, std::move(opened));
+  follow_time(scene.w, 0);
+  CHECK(shown_weights(scene.w) == shown);
+  CHECK(scene.source() == by_frame);
+}
+
+TEST_CASE("of_several_equal_poses_only_the_first_has_the_weight_of_a_key") {
+  Scene scene(by_frame);
+  add_poses(scene.w.document, {scene.w.document.library().poses[1]});
+  scene.go_to(31);
+  CHECK(shown_weights(scene.w) == std::vector<double>{0, 1, 0});
 }
