@@ -58,7 +58,7 @@ void add_view_commands(CommandTable& table);  ///< display options
 void add_map_commands(CommandTable& table);
 void add_split_commands(CommandTable& table);
 void add_help_commands(CommandTable& table);
-void add_tool_commands(CommandTable& table);
+void add_transform_commands(CommandTable& table);
 void add_time_commands(CommandTable& table);            ///< named poses and timeline
 void add_animation_file_commands(CommandTable& table);  ///< files of poses and animations
 

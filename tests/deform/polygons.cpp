@@ -3,6 +3,7 @@
 #include "deform/bound.h"
 #include "shapes/shape_space.h"
 #include "support/shapes.h"
+#include "weights/point_weights.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -231,13 +231,13 @@ TEST_CASE("the_eyes_of_suzanne_stay_in_their_sockets" * doctest::test_suite(if_p
       CAPTURE(name);
       std::vector<std::string> warnings;
       const Pose pose = read_pose(folder / name, *cage, warnings);
-      const auto apart = [&](Way way) {
-        const auto posed = deform_exactly(model, cage, deformer_of(way), pose, sym3::Method::fast, pool);
+      const auto apart = [&](Preset preset) {
+        const auto posed = deform_exactly(model, cage, deformer_of(preset), pose, sym3::Method::fast, pool);
         return most_changed(beside, model.positions, posed.positions);
       };
-      const double most = 1.6 * apart(Way::mean_value);
-      CHECK(apart(Way::smooth) < most);
-      CHECK(apart(Way::arap) < most);
+      const double most = 1.6 * apart(Preset::mean_value);
+      CHECK(apart(Preset::smooth) < most);
+      CHECK(apart(Preset::arap) < most);
     }
   }
 }

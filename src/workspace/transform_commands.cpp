@@ -114,7 +114,7 @@ void toggle_locked(Workspace& w) {
 
 }  // namespace
 
-void add_tool_commands(CommandTable& table) {
+void add_transform_commands(CommandTable& table) {
   table.heading("Transform");
   table.add("grab", {"Move selection", "Move"},
             "Move the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
