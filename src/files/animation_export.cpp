@@ -17,8 +17,8 @@
 #include "files/animated_model.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
-#include "formats/text_writer.h"
 #include "formats/source.h"
+#include "formats/text_writer.h"
 #include "formats/write.h"
 
 namespace viete::files {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "formats/codecs.h"
 #include "formats/attributes.h"
+#include "formats/codecs.h"
 #include "fuzz/checks.h"
 #include "mesh/summary.h"
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "sym3/jacobi.h"
 #include "sym3/fallback.h"
+#include "sym3/jacobi.h"
 #include "sym3/rotation.h"
 #include "sym3/sym3.h"
 
