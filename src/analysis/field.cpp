@@ -240,7 +240,8 @@ void fit_error_range(std::span<const sym3::Sym3<double>> matrices, FieldStats& s
 
 void find_extremes(const FieldEntry& e, std::span<const float> values, FieldStats& stats) {
   const auto [least, most] = std::ranges::minmax_element(values);
-  stats.least = static_cast<double>(*least), stats.most = static_cast<double>(*most);
+  stats.least = static_cast<double>(*least);
+  stats.most = static_cast<double>(*most);
   const bool takes_least = e.worst_is_least || (e.symmetric && std::abs(stats.least) > std::abs(stats.most));
   stats.worst = static_cast<std::uint32_t>((takes_least ? least : most) - values.begin());
   std::vector<float> sorted(values.begin(), values.end());
@@ -265,7 +266,8 @@ std::span<const base::Choice> choices(Field) {
 FieldValues measure(Field field, const FieldInput& input) {
   const FieldEntry& e = entry(field);
   FieldValues result;
-  result.stats.field = field, result.stats.method = input.method;
+  result.stats.field = field;
+  result.stats.method = input.method;
   if (!e.compute) return result;
   const std::vector<double> values = e.compute(input);
   result.stats.vertices = values.size();

@@ -83,8 +83,10 @@ std::vector<double> Strain::means(std::span<const Point> deformed, double (*of)(
       faces_.size(), pool, [&](std::size_t f) { return of(stretches(plane_map(faces_[f], deformed))); });
   return values_of(rest_.size(), pool, [&](std::size_t v) {
     double sum = 0, area = 0;
-    for (const std::uint32_t f : around_.of(v))
-      sum += faces_[f].area() * of_faces[f], area += faces_[f].area();
+    for (const std::uint32_t f : around_.of(v)) {
+      sum += faces_[f].area() * of_faces[f];
+      area += faces_[f].area();
+    }
     return area > 0 ? sum / area : 0;
   });
 }

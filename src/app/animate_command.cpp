@@ -87,7 +87,10 @@ files::Opened opened_for(const AnimateOptions& options, void (*check)(const file
     timeline.first = timeline.keys.front().frame;
     timeline.last = timeline.keys.back().frame;
   }
-  if (options.frames) timeline.first = options.frames->first, timeline.last = options.frames->last;
+  if (options.frames) {
+    timeline.first = options.frames->first;
+    timeline.last = options.frames->last;
+  }
   check_output(options, files::files_of(opened), {timeline.first, timeline.last, options.step});
   return opened;
 }

@@ -71,7 +71,8 @@ ShapeList open_list(const BetweenOptions& options, const files::FrameSteps* fram
 document::Timeline timeline_of(const BetweenOptions& options, const ShapeList& list, int first, int last) {
   const std::size_t steps = list.shapes.size() - 1;
   document::Timeline timeline;
-  timeline.first = first, timeline.last = last;
+  timeline.first = first;
+  timeline.last = last;
   timeline.linear = options.linear;
   timeline.repeat = options.loop ? document::Repeat::loop : document::Repeat::once;
   const auto easing =

@@ -115,7 +115,9 @@ void stream_poses(const files::Export& what) {
   const Bound bound = app::bind(what.model, what.cage, what.deformer, what.method, {}, progress);
   base::WorkerPool pool;
   deform::FrameDeformer deformer(bound.cage, bound.binding, what.deformer, pool, bound.stitching);
-  deformer.set_mask(what.mask), deformer.set_shape(what.shape), deformer.set_probes(what.probes);
+  deformer.set_mask(what.mask);
+  deformer.set_shape(what.shape);
+  deformer.set_probes(what.probes);
   const std::size_t vertices = what.cage->surface.positions.size();
   std::vector<float> floats;
   std::vector<mesh::Vec3> turns;

@@ -97,7 +97,8 @@ private:
 void take(FieldValues&& made, const document::Document& document, workspace::FieldView& shown) {
   if (made.values.size() != document.model().surface->positions.size()) return;
   if (shown.holds_range && shown.values) {
-    made.stats.low = shown.stats.low, made.stats.high = shown.stats.high;
+    made.stats.low = shown.stats.low;
+    made.stats.high = shown.stats.high;
     analysis::fit_counts(made.values, made.stats);
   }
   shown.stats = made.stats;
@@ -164,7 +165,9 @@ bool FieldMaker::follow(std::size_t view, const FieldSubject& s, workspace::Fiel
   if (!pool_) pool_ = std::make_unique<base::WorkerPool>();
   const auto strain = strain_of(s.document);
   analysis::FieldInput input = input_of(*strain, s.method);
-  input.drawn = drawn, input.first = first, input.pool = pool_.get();
+  input.drawn = drawn;
+  input.first = first;
+  input.pool = pool_.get();
   take(analysis::measure(s.field, input), s.document, shown);
   return true;
 }
@@ -183,7 +186,8 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
           const auto matrices = deform::sample_stretches(
               weigher, *bound.binding, mask, {form, values, origin}, bound.binding->vertices, &progress);
           analysis::FieldInput input = input_of(*strain, method);
-          input.matrices = matrices, input.progress = &progress;
+          input.matrices = matrices;
+          input.progress = &progress;
           return analysis::measure(field, input);
         });
   }
@@ -203,7 +207,8 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
   view.job.start([=, drawn = drawn_positions(s.posed, *frame.bound.model)](base::Progress& progress) {
     const auto exact = FrameInDouble(frame, progress).positions(frame.pose, frame.probes);
     analysis::FieldInput input = input_of(*strain, method);
-    input.drawn = drawn, input.exact = exact;
+    input.drawn = drawn;
+    input.exact = exact;
     return analysis::measure(field, input);
   });
 }

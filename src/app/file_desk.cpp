@@ -293,7 +293,9 @@ PictureExport FileDesk::picture_export_of(const workspace::Workspace& w, const f
   what.session.view.cage = false;
   if (const auto& choice = w.files.browser.pictures) {
     document::ViewOptions& view = what.session.view;
-    view.cage = choice->cage, view.grid = choice->grid, view.dark = !choice->light;
+    view.cage = choice->cage;
+    view.grid = choice->grid;
+    view.dark = !choice->light;
     what.session.window = {choice->width, choice->height};
     what.panels = choice->panels;
   }
@@ -373,7 +375,10 @@ void FileDesk::answer(workspace::Workspace& w, workspace::Answer answer) {
 
 void FileDesk::proceed(workspace::Workspace& w, Kind kind) {
   w.files.after_saving.reset();
-  if (kind == Kind::close) autosave_.close_recovered(w), closed_ = true;
+  if (kind == Kind::close) {
+    autosave_.close_recovered(w);
+    closed_ = true;
+  }
   if (kind == Kind::open) opened_ = std::exchange(waiting_, std::nullopt);
 }
 

@@ -74,7 +74,10 @@ document::SharedShape shape_of(const Share& share, const std::vector<document::N
 
 int write_mix(MixOptions options) {
   std::vector<std::filesystem::path> files;
-  for (Share& share : options.shares) split_name(share), files.push_back(share.file);
+  for (Share& share : options.shares) {
+    split_name(share);
+    files.push_back(share.file);
+  }
   const OpenedShapes opened = open_shapes(options.rest, files, options.output);
   std::vector<document::ShapeTerm> terms;
   for (std::size_t i = 0; i < files.size(); ++i)

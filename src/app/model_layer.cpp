@@ -227,7 +227,8 @@ void ModelLayer::set_model(std::span<const pose::FrameVertex> vertices, const me
 bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field,
                             const workspace::FieldView& shown) {
   Colored wanted;
-  wanted.by_mask = workspace::shows_mask(w), wanted.dark = w.view.options.dark;
+  wanted.by_mask = workspace::shows_mask(w);
+  wanted.dark = w.view.options.dark;
   wanted.symmetric = analysis::entry(field).symmetric;
   if (wanted.by_mask) wanted.mask = w.document.mask();
   if (field != analysis::Field::none && shown.stats.field == field) wanted.field = shown.values;
@@ -240,10 +241,12 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
   std::vector<float> scalars;
   if (wanted.by_mask) scalars = wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f);
   if (!wanted.by_mask && wanted.field) scalars = *wanted.field;
-  surface_.set_palette(palette), surface_.set_scalars(scalars);
-  if (draft_)
-    coarse_.set_palette(palette),
-        coarse_.set_scalars(mesh::picked(std::span(std::as_const(scalars)), draft_->vertices));
+  surface_.set_palette(palette);
+  surface_.set_scalars(scalars);
+  if (draft_) {
+    coarse_.set_palette(palette);
+    coarse_.set_scalars(mesh::picked(std::span(std::as_const(scalars)), draft_->vertices));
+  }
   return true;
 }
 

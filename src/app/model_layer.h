@@ -60,7 +60,8 @@ public:
   void set_model(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin);
   /// Sets the deformed vertices of the draft. There must be a draft.
   void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
-    coarse_.set_vertices(vertices, origin), shadow_.set_vertices(vertices, origin);
+    coarse_.set_vertices(vertices, origin);
+    shadow_.set_vertices(vertices, origin);
   }
   /// If the mask is shown, colours the mesh by the mask. Otherwise, colours the mesh by the field if `shown`
   /// has values of this field. Returns true if the colours change.

@@ -143,7 +143,8 @@ void LiveModel::follow_blend(const pose::Deformer& deformer) {
 // Discards all data computed from the old surfaces.
 void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
   binder_.cancel();
-  deformer_.reset(), draft_.reset();
+  deformer_.reset();
+  draft_.reset();
   bound_ = {};
   no_cage_.reset();
   around_ = {};
@@ -189,7 +190,8 @@ void LiveModel::renew_deformer(const pose::Deformer& deformer) {
   make_deformer(deformer, pool_);
   draft_ = bound_.draft ? std::make_unique<deform::FrameDeformer>(bound_.cage, bound_.draft, deformer, pool_)
                         : nullptr;
-  derived_.reset(), drafted_.reset();
+  derived_.reset();
+  drafted_.reset();
   unprepared_ = true;
 }
 
@@ -289,12 +291,14 @@ sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::ui
     std::array<mesh::Point, 3> shape, drawn;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t corner = document.model().surface->triangles[t][k];
-      shape[k] = document::shape_of_vertex(document, corner), drawn[k] = vertex(document, corner);
+      shape[k] = document::shape_of_vertex(document, corner);
+      drawn[k] = vertex(document, corner);
     }
     const pose::RestBasis from = pose::rest_basis(shape, {0, 1, 2});
     const auto to = pose::triangle_basis(drawn, {0, 1, 2}, from.corner);
     const double share = mesh::norm(mesh::cross(from.u, from.v));
-    sum = sym3::plus(sum, share, pose::linear_map(from, to.u, to.v, to.n)), area += share;
+    sum = sym3::plus(sum, share, pose::linear_map(from, to.u, to.v, to.n));
+    area += share;
   }
   return area > 0 ? away_from_flat(sym3::times(1 / area, sum)) : document::Carried{}.map;
 }
@@ -318,7 +322,8 @@ void SideModel::forget() {
   binder_.cancel();
   deformer_.reset();
   bound_ = {};
-  made_.reset(), refused_.reset();
+  made_.reset();
+  refused_.reset();
   drag_ = {};
 }
 
@@ -357,7 +362,8 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   const bool same_weights = bound_.binding->weighting == need.deformer.weighting;
   if (!serves(need) && same_weights) make_deformer(need.deformer, pool);
   if (!serves(need)) {
-    deformer_.reset(), made_.reset();
+    deformer_.reset();
+    made_.reset();
     asked_ = need;
     bind_for(need, known.model, known.cage, same_weights ? bound_ : known);
     side.binding = true;

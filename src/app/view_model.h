@@ -159,7 +159,10 @@ private:
 class LiveModel : public ViewModel {
 public:
   explicit LiveModel(base::Wake wake = nullptr) : ViewModel(std::move(wake)) {}
-  ~LiveModel() { deformer_.reset(), draft_.reset(); }
+  ~LiveModel() {
+    deformer_.reset();
+    draft_.reset();
+  }
 
   struct Changed {
     bool document = false, cage = false;

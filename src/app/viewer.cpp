@@ -389,7 +389,8 @@ void Viewer::share_ranges() {
     for (std::size_t other = 0; other < workspace_.view.split.count(); ++other) {
       const workspace::FieldView& beside = workspace_.view.split.views[other].shown;
       if (!beside.values || beside.stats.field != stats.field || shown.holds_range) continue;
-      stats.low = std::min(stats.low, beside.stats.low), stats.high = std::max(stats.high, beside.stats.high);
+      stats.low = std::min(stats.low, beside.stats.low);
+      stats.high = std::max(stats.high, beside.stats.high);
     }
     analysis::fit_counts(*shown.values, stats);
   }

@@ -229,15 +229,18 @@ ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::si
 
 ViewDrawing WorkspaceRenderer::drawing(const workspace::Workspace& w, glm::ivec2 size, float scale) const {
   ViewDrawing d;
-  d.size = size, d.scale = scale;
+  d.size = size;
+  d.scale = scale;
   d.dark = w.view.options.dark;
   const auto& document = w.document;
   if (!document.model().surface) return d;
   d.content = content_;
   for (std::size_t view = 0; view < std::min(models_.size(), w.view.split.count()); ++view)
     d.parts.push_back(part(w, view));
-  d.model = w.view.options.model, d.grid = w.view.options.grid;
-  d.cage = document.has_cage() && w.view.options.cage, d.ghost = w.view.options.ghost;
+  d.model = w.view.options.model;
+  d.grid = w.view.options.grid;
+  d.cage = document.has_cage() && w.view.options.cage;
+  d.ghost = w.view.options.ghost;
   const double diagonal = document.space().diagonal();
   const auto& c = document.space().center;
   const int up = w.view.camera.pose().up == document::UpAxis::z ? 2 : 1;
@@ -299,7 +302,10 @@ bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fi
   if (shows(drawing) && fineness_ >= fineness) return false;
   const bool coarse = fineness == Fineness::coarse;
   ViewDrawing now = drawing;
-  if (coarse && half) now.size = (now.size + 1) / 2, now.scale /= 2;
+  if (coarse && half) {
+    now.size = (now.size + 1) / 2;
+    now.scale /= 2;
+  }
   const int samples[] = {half ? 0 : samples_.plain, samples_.plain, samples_.smooth};
   picture_.begin(now.size, samples[static_cast<int>(fineness)]);
   renderer.draw(now, coarse);
@@ -313,7 +319,10 @@ bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fi
 bool CageMarks::set(const workspace::Workspace& w, const render::Theme& theme) {
   Marks marks;
   marks.positions = w.document.pose().positions;
-  if (w.view.tools) add_faces(w, marks), add_edges(w, theme, marks);
+  if (w.view.tools) {
+    add_faces(w, marks);
+    add_edges(w, theme, marks);
+  }
   if (marks == marks_) return false;
   marks_ = std::move(marks);
   upload();

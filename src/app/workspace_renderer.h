@@ -109,7 +109,8 @@ public:
   void set_model(std::size_t view, std::span<const pose::FrameVertex> vertices, const mesh::Point& origin);
   /// Sets the deformed draft of the first view's model, relative to origin.
   void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
-    models_[0]->set_draft(vertices, origin), ++content_;
+    models_[0]->set_draft(vertices, origin);
+    ++content_;
   }
   /// Updates the colours of the map or mask. Call before draw().
   void set_colors(const workspace::Workspace& workspace);
@@ -118,7 +119,8 @@ public:
   void set_hand(const workspace::Workspace& workspace);
   /// The next set_hand() and set_colors() upload all data.
   void forget() {
-    hand_.reset(), marks_.forget();
+    hand_.reset();
+    marks_.forget();
     for (const auto& model : models_) model->forget();
   }
   /// See FindingMarks::set().

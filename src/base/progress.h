@@ -48,12 +48,16 @@ class ProgressPart {
 public:
   ProgressPart(Progress* progress, double from, double to) : progress_(progress) {
     if (!progress) return;
-    part_ = progress->part_, section_ = progress->section_;
+    part_ = progress->part_;
+    section_ = progress->section_;
     progress->part_ = {section_.at(from), section_.at(to)};
     progress->section(0, 1);
   }
   ~ProgressPart() {
-    if (progress_) progress_->part_ = part_, progress_->section_ = section_;
+    if (progress_) {
+      progress_->part_ = part_;
+      progress_->section_ = section_;
+    }
   }
   ProgressPart(const ProgressPart&) = delete;
   ProgressPart& operator=(const ProgressPart&) = delete;

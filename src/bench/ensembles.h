@@ -24,7 +24,9 @@ inline double uniform(Random& random, double low, double high) {
 inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
   double w, x, y, z, norm2;
   do {
-    w = uniform(random, -1, 1), x = uniform(random, -1, 1), y = uniform(random, -1, 1),
+    w = uniform(random, -1, 1);
+    x = uniform(random, -1, 1);
+    y = uniform(random, -1, 1);
     z = uniform(random, -1, 1);
     norm2 = w * w + x * x + y * y + z * z;
   } while (norm2 > 1 || norm2 < 0.01);

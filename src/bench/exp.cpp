@@ -68,7 +68,8 @@ template <class T>
 LayoutResult time_layout(const std::vector<Sym3<T>>& matrices, Layout layout, std::size_t count,
                          base::Progress& progress) {
   MatrixArray<T> in(layout, count), result(layout, count);
-  in.fill(matrices), result.fill(matrices);
+  in.fill(matrices);
+  result.fill(matrices);
   std::vector<Sym3<T>> out(window);
   const std::size_t often = std::max<std::size_t>(1, 200'000 / count);
   std::vector<RoundCase> cases;

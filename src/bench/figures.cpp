@@ -72,7 +72,8 @@ double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point
     const double expected = std::sqrt(length(a, e) * length(b, e));
     if (!(expected > 0)) continue;
     const double error = std::log(length(shape, e) / expected);
-    squares += error * error, ++count;
+    squares += error * error;
+    ++count;
   }
   return std::sqrt(squares / static_cast<double>(count));
 }
@@ -80,8 +81,10 @@ double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point
 ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
                                    const std::vector<std::filesystem::path>& shapes) {
   ShapesOfModel model{formats::read(rest).surface, {}, {}};
-  for (const auto& [name, shape] : files::read_shapes(shapes, model.rest).shapes)
-    model.names.push_back(name), model.shapes.push_back(*shape);
+  for (const auto& [name, shape] : files::read_shapes(shapes, model.rest).shapes) {
+    model.names.push_back(name);
+    model.shapes.push_back(*shape);
+  }
   return model;
 }
 

@@ -212,7 +212,10 @@ private:
       pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
       frame->deform(pose);
     };
-    if (drag) frame->deform(pose_), frame->state.begin_drag(std::array{0u});
+    if (drag) {
+      frame->deform(pose_);
+      frame->state.begin_drag(std::array{0u});
+    }
     for (int warm = 0; warm < 3; ++warm) run();
     Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->engine.bytes()};
     if (staged_) {

@@ -85,7 +85,10 @@ void prepare(ModelOptions& options, bool posed) {
   if (!options.model.empty()) return;
   const BundledModel bundled = bundled_model();
   options.model = bundled.model;
-  if (posed) options.cage = bundled.cage, options.poses = bundled.poses;
+  if (posed) {
+    options.cage = bundled.cage;
+    options.poses = bundled.poses;
+  }
 }
 
 void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t> faces, std::size_t rounds,

@@ -121,7 +121,10 @@ Scale scale_of(const Plot& plot, double PlotCurve::Point::*value, double from, d
   double low = 1e300, high = 0;
   for (const PlotCurve& curve : plot.curves)
     for (const auto& p : curve.points)
-      if (p.ns > 0 || plot.linear) low = std::min(low, p.*value), high = std::max(high, p.*value);
+      if (p.ns > 0 || plot.linear) {
+        low = std::min(low, p.*value);
+        high = std::max(high, p.*value);
+      }
   if (plot.linear) return {false, 0, 1.04 * high, from, to};
   return {true, std::log10(low) - 0.06, std::log10(high) + 0.06, from, to};
 }

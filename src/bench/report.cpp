@@ -43,8 +43,11 @@ bool made_folder(const fs::path& folder) {
 // If no model is given, uses the bundled dragon. The shapes are always the dragon's shapes.
 void complete(ReportFiles& files) {
   const app::BundledModel bundled = app::bundled_model();
-  if (files.model.empty())
-    files.model = bundled.model, files.cage = bundled.cage, files.poses = bundled.poses;
+  if (files.model.empty()) {
+    files.model = bundled.model;
+    files.cage = bundled.cage;
+    files.poses = bundled.poses;
+  }
   files.rest = bundled.model;
   for (const char* shape : {"folded", "coiled", "sitting"})
     files.shapes.push_back(bundled.model.parent_path() / ("shape_" + std::string(shape) + ".pc2"));

@@ -333,7 +333,8 @@ bool is_default(const Mode& mode) {
 std::string deformers_plot(const char* title, const Modes& modes, double (*value)(const Mode&),
                            const char* unit) {
   Plot plot;
-  plot.unit = unit, plot.compared = false;
+  plot.unit = unit;
+  plot.compared = false;
   for (const Mode* m : modes)
     if (std::isfinite(value(*m)))
       plot.bars.push_back({label_of(*m), value(*m), is_default(*m) ? plot_color::ours[0] : plot_color::copy});
@@ -423,7 +424,8 @@ constexpr std::tuple<const char*, const char*, const char*> interpolations[] = {
 
 Plot volumes_of(const nlohmann::json& row) {
   Plot plot;
-  plot.linear = true, plot.across = "0: rest, 1: shape";
+  plot.linear = true;
+  plot.across = "0: rest, 1: shape";
   for (const auto& [name, key, color] : interpolations) {
     PlotCurve curve{name, color, false, {}};
     const auto& volumes = row[key]["volumes"];
@@ -439,7 +441,8 @@ Section shapes_section(const Figures& figures) {
   Section section{"shapes", "Not in the paper", "Between shapes", "", "", "", {}};
   Table table{{"halfway to", "volume, log space", "volume, linear", "edges, log space", "edges, linear"}, {}};
   Plot edges;
-  edges.unit = " %", edges.compared = false;
+  edges.unit = " %";
+  edges.compared = false;
   std::string curves;
   for (const auto& row : figures.shapes.rows) {
     const std::string name = name_of_shape(row);

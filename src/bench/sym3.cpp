@@ -59,7 +59,8 @@ template <class T>
 void in_second_cache(const std::string& type, Bars& report) {
   const auto matrices = paper_ensemble<T>(in_cache);
   MatrixArray<T> in(Layout::planes, in_cache), out(Layout::planes, in_cache);
-  in.fill(matrices), out.fill(matrices);
+  in.fill(matrices);
+  out.fill(matrices);
   std::vector<Sym3<T>> answers(in_cache);
   std::vector<RoundCase> cases;
   for (const Method m : {Method::diag, Method::improved_sd})
@@ -150,7 +151,8 @@ void rotations(Bars& report) {
 
 void logarithms(const std::string& what, const std::vector<Sym3<double>>& matrices, Bars& report) {
   MatrixArray<double> in(Layout::planes, in_cache), out(Layout::planes, in_cache);
-  in.fill(matrices), out.fill(matrices);
+  in.fill(matrices);
+  out.fill(matrices);
   std::vector<Sym3<double>> answers(in_cache);
   const auto r = measure("log double, " + what,
                          {one_by_one("QR", matrices, answers, sym3::log_qr<double>),
@@ -202,7 +204,8 @@ struct Planes {
     std::array<T*, 36> all;
     for (std::size_t k = 0; k < 6; ++k) {
       arrays[1 + k].fill(std::span(directions).subspan(k * s.size(), s.size()));
-      from.push_back(arrays[1 + k].view()), to.push_back(arrays[7 + k].view());
+      from.push_back(arrays[1 + k].view());
+      to.push_back(arrays[7 + k].view());
       std::copy_n(to[k].plane, 6, all.begin() + 6 * k);
     }
     tangents = sym3::TangentView<T>(all);

@@ -230,7 +230,8 @@ std::vector<std::uint32_t> polygons_of_fin(const Surface& cage) {
                      std::ranges::all_of(sides, [&](const auto& side) { return areas[side.triangle] > 0; });
     for (const mesh::HalfEdge& side : sides) {
       Patch& patch = patches[patch_of.find(side.triangle)];
-      patch.keep &= !fin, patch.closed &= sides.size() > 1;
+      patch.keep &= !fin;
+      patch.closed &= sides.size() > 1;
     }
   }
   const auto first = std::ranges::min_element(patches);

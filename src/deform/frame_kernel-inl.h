@@ -141,7 +141,10 @@ static HWY_INLINE Vector3 load_rest(const float* rest, std::size_t group) {
 static HWY_INLINE void store_position(const Vector3& p, std::size_t group, float* out) {
 #if HWY_TARGET == HWY_SCALAR
   float* at = out + 4 * group;
-  at[0] = hn::GetLane(p.x), at[1] = hn::GetLane(p.y), at[2] = hn::GetLane(p.z), at[3] = at[0];
+  at[0] = hn::GetLane(p.x);
+  at[1] = hn::GetLane(p.y);
+  at[2] = hn::GetLane(p.z);
+  at[3] = at[0];
 #else
   const Tag d;
   hn::StoreInterleaved4(p.x, p.y, p.z, p.x, d, out + 4 * group * hn::Lanes(d));
@@ -200,7 +203,8 @@ static HWY_INLINE lanes::Three<Batch> load_offsets(const TileRun& run, const flo
   return lanes::together(load_offset(run, offsets, group), load_offset(run, offsets, group + 1));
 }
 static HWY_INLINE void store_positions(const lanes::Three<Batch>& p, std::size_t group, float* out) {
-  store_position(lanes::first(p), group, out), store_position(lanes::second(p), group + 1, out);
+  store_position(lanes::first(p), group, out);
+  store_position(lanes::second(p), group + 1, out);
 }
 #else
 using Batch = hn::Vec<Tag>;

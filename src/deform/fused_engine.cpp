@@ -95,7 +95,8 @@ void FusedEngine::set_mask(const weights::Mask& mask) {
 void FusedEngine::set_shape(std::span<const Vec3> displacements) {
   drag_.placed = knows_rest_ = false;
   displacements_ = displacements;
-  rest_.clear(), offsets_.clear();
+  rest_.clear();
+  offsets_.clear();
   if (displacements.empty()) return;
   offsets_ = binding_->offsets;
   add(offsets_, [&](std::uint32_t v) { return displacements[v]; });
@@ -237,7 +238,10 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   sum();
   std::vector<Vec3> off(slots);
   std::vector<double> weight(slots);
-  for (std::size_t s = 0; s < slots; ++s) off[s] = sums.three(s, 0), weight[s] = sums.at(s, 3);
+  for (std::size_t s = 0; s < slots; ++s) {
+    off[s] = sums.three(s, 0);
+    weight[s] = sums.at(s, 3);
+  }
   const Vec3 middle = moments.three(slots / 2, 0);
   write_rest_rows(middle, entries_, table);
   sum();

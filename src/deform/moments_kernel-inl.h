@@ -132,7 +132,8 @@ static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const V least = hn::Max(hn::Mul(hn::Set(d, 1e-24), hn::Mul(n, n)), hn::Set(d, 1e-300));
   lanes::Nine<V> even = lanes::multiply_add(k, hn::Sqrt(hn::Div(n, hn::Max(q, least))), m);
   const V one_if_zero = hn::IfThenElseZero(hn::Eq(n, hn::Zero(d)), hn::Set(d, 1.0));
-  even.xx = hn::Add(even.xx, one_if_zero), even.yy = hn::Add(even.yy, one_if_zero);
+  even.xx = hn::Add(even.xx, one_if_zero);
+  even.yy = hn::Add(even.yy, one_if_zero);
   even.zz = hn::Add(even.zz, one_if_zero);
   return even;
 }
@@ -189,7 +190,9 @@ static HWY_INLINE void fit_tile(const float* sums, const float* rest, const floa
     for (int g = 0; g < fits_at_once; ++g) {
       const TileLanes at{lane + g * hn::Lanes(d)};
       in[g].b = about_mean(at, sums, at.three(sums, 9), at.three(rest, 3));
-      in[g].dual = at.three(rest, 6), in[g].scale = at.line(rest, 9), in[g].offset = at.three(offsets, 0);
+      in[g].dual = at.three(rest, 6);
+      in[g].scale = at.line(rest, 9);
+      in[g].offset = at.three(offsets, 0);
     }
     if constexpr (Fit::rotates) find_rotations(d, in);
     for (int g = 0; g < fits_at_once; ++g) {

@@ -71,7 +71,9 @@ void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
 }
 
 void ProbeLayer::find_anchors() {
-  anchors_.clear(), from_anchors_.clear(), places_.clear();
+  anchors_.clear();
+  from_anchors_.clear();
+  places_.clear();
   origin_ = {0, 0, 0};
   for (const pose::Probe& probe : probes_.all) {
     const auto nearest = std::ranges::min_element(
@@ -139,7 +141,9 @@ void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> p
     Vec3& x = positions[sums[n].vertex];
     const Vec3 from = x - sums[n].pivot;
     auto more = stretches[n];  // S - I; exactly 0 without motion
-    more.xx -= none.xx, more.yy -= none.yy, more.zz -= none.zz;
+    more.xx -= none.xx;
+    more.yy -= none.yy;
+    more.zz -= none.zz;
     const Vec3 stretch = pose::times(more, from), stretched = from + stretch;
     auto r = sym3::exp_rotation(sums[n].turn);
     for (const int i : {0, 4, 8}) r[i] -= 1;
@@ -250,7 +254,10 @@ void ProbeTiles::move(const ProbeLayer& layer, std::size_t leaf, const TileKerne
                     offsets.data() + t * weights::lanes * 3);
   }
   TileRun run{};
-  run.tiles = own.tiles, run.rows = rows, run.weights = own.weights.data(), run.table = table.data();
+  run.tiles = own.tiles;
+  run.rows = rows;
+  run.weights = own.weights.data();
+  run.table = table.data();
   logs.place(run, offsets.data(), offsets.data(), positions);
 }
 

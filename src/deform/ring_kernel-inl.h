@@ -39,7 +39,10 @@ static HWY_INLINE Points gather(OnePoint d, const float* positions, const Index*
   return load(d, positions + floats * *neighbours);
 }
 static HWY_INLINE void store(OnePoint, const Points& a, float* p) {
-  p[0] = a.x, p[1] = a.y, p[2] = a.z, p[3] = a.w;
+  p[0] = a.x;
+  p[1] = a.y;
+  p[2] = a.z;
+  p[3] = a.w;
 }
 static HWY_INLINE Points zero(OnePoint) {
   return {0, 0, 0, 0};

@@ -170,7 +170,10 @@ StagedEngine::StagedEngine(std::shared_ptr<const weights::Binding> binding, pose
       vertices_(binding_->vertices) {
   const std::size_t n = binding_->vertices;
   if (!has_moments(form)) sums_.resize(n * shape(form).columns);
-  if (form == pose::RowForm::logs) logs_.resize(n), stretches_.resize(n);
+  if (form == pose::RowForm::logs) {
+    logs_.resize(n);
+    stretches_.resize(n);
+  }
 }
 
 template <class Body>

@@ -72,7 +72,9 @@ struct Stitcher::Maps {
     for (std::size_t i = 0; i < count; ++i) {
       Mat m;
       for (std::size_t k = 0; k < 9; ++k) m[k] = sums[k][i];
-      m[0] += 1, m[4] += 1, m[8] += 1;
+      m[0] += 1;
+      m[4] += 1;
+      m[8] += 1;
       put(rotations, i, m);
       put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
     }
@@ -83,7 +85,10 @@ struct Stitcher::Maps {
   }
 
   void make(pose::RowForm form, std::size_t count, sym3::Method method, bool apart) {
-    if (form == pose::RowForm::logs) return stretch_by_logs(count, method), rotate_by_logs(count);
+    if (form == pose::RowForm::logs) {
+      stretch_by_logs(count, method);
+      return rotate_by_logs(count);
+    }
     take_whole(count);
     if (apart) split(count);
   }
@@ -171,7 +176,9 @@ void Stitcher::place_pins(const pose::Rows& rows, sym3::Method method) {
 }
 
 inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
-  loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
+  loads_[3 * t] = a;
+  loads_[3 * t + 1] = b;
+  loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
 }
 
 void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, bool keep_stretches) {

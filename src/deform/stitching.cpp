@@ -162,13 +162,16 @@ private:
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       if (thin_[t]) continue;
       const auto& [a, b, c] = model_.triangles[t];
-      parts.join(a, b), parts.join(b, c);
+      parts.join(a, b);
+      parts.join(b, c);
       firm[a] = firm[b] = firm[c] = 1;
     }
     for (const auto& c : couplings_) {
       for_sides(c, [&](const mesh::Triangle& t, double, double) {
         const auto a = t[0], b = t[1];
-        parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
+        parts.join(a, b);
+        firm[a] |= firm[b];
+        firm[b] |= firm[a];
       });
     }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;

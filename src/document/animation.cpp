@@ -264,8 +264,10 @@ SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> te
 std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports) {
   std::size_t folded = 0, torn = 0, of_folded = 0, of_torn = 0;
   for (const shapes::ShapeReport& report : reports) {
-    folded = std::max(folded, report.folded), of_folded += report.folded > 0;
-    torn = std::max(torn, report.torn), of_torn += report.torn > 0;
+    folded = std::max(folded, report.folded);
+    of_folded += report.folded > 0;
+    torn = std::max(torn, report.torn);
+    of_torn += report.torn > 0;
   }
   std::vector<std::string> notes;
   const bool coarse = std::ranges::any_of(reports, &shapes::ShapeReport::coarse);

@@ -173,13 +173,34 @@ void Camera::look(StandardView view) {
   CameraPose goal = moving() ? goal_ : current_;
   const CameraPose home;
   switch (view) {
-    case StandardView::front: goal.yaw = 0, goal.pitch = 0; break;
-    case StandardView::back: goal.yaw = 2 * half_pi, goal.pitch = 0; break;
-    case StandardView::right: goal.yaw = half_pi, goal.pitch = 0; break;
-    case StandardView::left: goal.yaw = -half_pi, goal.pitch = 0; break;
-    case StandardView::top: goal.yaw = 0, goal.pitch = half_pi; break;
-    case StandardView::bottom: goal.yaw = 0, goal.pitch = -half_pi; break;
-    case StandardView::home: goal.yaw = home.yaw, goal.pitch = home.pitch; break;
+    case StandardView::front:
+      goal.yaw = 0;
+      goal.pitch = 0;
+      break;
+    case StandardView::back:
+      goal.yaw = 2 * half_pi;
+      goal.pitch = 0;
+      break;
+    case StandardView::right:
+      goal.yaw = half_pi;
+      goal.pitch = 0;
+      break;
+    case StandardView::left:
+      goal.yaw = -half_pi;
+      goal.pitch = 0;
+      break;
+    case StandardView::top:
+      goal.yaw = 0;
+      goal.pitch = half_pi;
+      break;
+    case StandardView::bottom:
+      goal.yaw = 0;
+      goal.pitch = -half_pi;
+      break;
+    case StandardView::home:
+      goal.yaw = home.yaw;
+      goal.pitch = home.pitch;
+      break;
   }
   ease_to(goal);
 }
@@ -191,7 +212,10 @@ void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool ea
   Camera goal = *this;
   if (moving()) goal.set_pose(goal_);
   glm::vec3 low = points[0], high = points[0];
-  for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
+  for (const auto& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
   const glm::vec3 middle = 0.5f * (low + high);
   const float half_field = std::tan(0.5f * vertical_field);
   const glm::vec2 tangent = half_field * (v.seen() - glm::vec2(0, covered)) / v.window.y / margin;

@@ -94,7 +94,10 @@ double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mes
   std::size_t feet = 0;
   mesh::Bounds base{box.high, box.low};
   for (const mesh::Point& p : surface.positions)
-    if (p[axis] <= lowest) mesh::extend(base, p), ++feet;
+    if (p[axis] <= lowest) {
+      mesh::extend(base, p);
+      ++feet;
+    }
   if (feet < 3) return 0;
   double share = 1;
   for (const std::size_t k : {(axis + 1) % 3, (axis + 2) % 3}) {

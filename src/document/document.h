@@ -101,8 +101,14 @@ public:
   void mark_replacing(const Document& other);
 
   /// Give write access. Each call increases the revision.
-  pose::Pose& changed_pose() { return ++revisions_.pose, state_.pose; }
-  pose::Probes& changed_probes() { return ++revisions_.pose, state_.probes; }
+  pose::Pose& changed_pose() {
+    ++revisions_.pose;
+    return state_.pose;
+  }
+  pose::Probes& changed_probes() {
+    ++revisions_.pose;
+    return state_.probes;
+  }
   /// Give write access to what no revision counts.
   PoseSource& changed_source() { return state_.source; }
   Selection& changed_selection() { return state_.selection; }
@@ -116,10 +122,15 @@ public:
   void put_mask(weights::Mask mask) { state_.mask = std::move(mask); }
   /// Sets the shape from the timeline, the pose list or undo. Null is the rest shape.
   void put_shape(SharedShape other) {
-    state_.shape = std::move(other), ++revisions_.pose, ++revisions_.whole;
+    state_.shape = std::move(other);
+    ++revisions_.pose;
+    ++revisions_.whole;
   }
   /// Sets the shape from pin posing.
-  void put_posed_shape(SharedShape other) { state_.shape = std::move(other), ++revisions_.pose; }
+  void put_posed_shape(SharedShape other) {
+    state_.shape = std::move(other);
+    ++revisions_.pose;
+  }
   /// Replaces the model. The cage stays.
   void put_model(OpenedSurface model);
   /// Replaces the cage and its pose. Clears selected cage elements, hidden vertices and named sets.

@@ -79,7 +79,8 @@ std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<co
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const double more = margin * (high[k] - low[k]);
-    low[k] -= more, high[k] += more;
+    low[k] -= more;
+    high[k] += more;
   }
   const auto corner = [&](double u, double v) {
     return mesh::Point(mirror.plane.offset * normal + u * axes[0] + v * axes[1]);

@@ -88,7 +88,8 @@ void PinPosing::begin(const Document& document, VectorCache& known) {
   posing_.reset();
   space_ = known.shapes(*pool_);
   examples_ = examples_of(document);
-  vectors_.clear(), set_.clear();
+  vectors_.clear();
+  set_.clear();
   shapes::ShapeReport report;
   for (const SharedPose& example : examples_)
     vectors_.push_back(known.of(example->shape, nullptr, *pool_, report));

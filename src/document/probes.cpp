@@ -53,7 +53,10 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
   std::uint32_t nearest = 0;
   for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
     const double distance = mesh::squared_norm(at - posed.at(model, v));
-    if (distance < least) least = distance, nearest = v;
+    if (distance < least) {
+      least = distance;
+      nearest = v;
+    }
   }
   return nearest;
 }

@@ -171,7 +171,11 @@ ImportedPoses read_poses(std::span<const fs::path> files, const pose::Cage& cage
       read_folder(
           files[i], "a pose of this cage",
           "choose a folder with posed versions of the cage (same vertices, same order)",
-          [&](const fs::path& file) { return add_poses_of(file, cage, all), true; }, all.warnings, progress);
+          [&](const fs::path& file) {
+            add_poses_of(file, cage, all);
+            return true;
+          },
+          all.warnings, progress);
     } else {
       report_part(progress, i, files.size());
       add_poses_of(files[i], cage, all);

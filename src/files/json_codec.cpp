@@ -25,7 +25,10 @@ std::optional<JsonField> JsonField::child(const char* key, bool needed) const {
 }
 
 std::size_t JsonField::list(std::size_t count, std::size_t most) const {
-  if (!reads()) return *out_ = ordered_json::array(), count;
+  if (!reads()) {
+    *out_ = ordered_json::array();
+    return count;
+  }
   if (in_->size() > most)
     in_->fail("the list has " + std::to_string(in_->size()) + " entries, at most " + std::to_string(most) +
               " are allowed");

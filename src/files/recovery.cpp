@@ -25,10 +25,16 @@ constexpr const char* restored_ending = "_restored";
 Session work_of(const Session& session) {
   Session work;
   work.model.path = session.model.path;
-  work.cage_file.path = session.cage_file.path, work.cage_file.surface = session.cage_file.surface;
-  work.deformer = session.deformer, work.mask = session.mask, work.probes = session.probes;
-  work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
-  work.shape = session.shape, work.pose = session.pose;
+  work.cage_file.path = session.cage_file.path;
+  work.cage_file.surface = session.cage_file.surface;
+  work.deformer = session.deformer;
+  work.mask = session.mask;
+  work.probes = session.probes;
+  work.groups.sets = session.groups.sets;
+  work.library = session.library;
+  work.timeline = session.timeline;
+  work.shape = session.shape;
+  work.pose = session.pose;
   return work;
 }
 
@@ -36,7 +42,8 @@ Session work_of(const Session& session) {
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;
-  rest.model.path = kept.model.path, rest.cage_file.path = kept.cage_file.path;
+  rest.model.path = kept.model.path;
+  rest.cage_file.path = kept.cage_file.path;
   if (!kept.pose.positions.empty())
     rest.pose.positions = document::open_surface(kept.cage_file.path).surface->positions;
   rest.pose.turns.resize(kept.pose.turns.size());

@@ -187,7 +187,11 @@ static void code(const JsonField& f, weights::Mask& mask) {
     f.out() = ordered_json::array();
     for (const float s : *mask) {
       const auto now = static_cast<std::uint32_t>(std::lround(s * document::mask_steps));
-      if (now != share) put_run(), share = now, count = 0;
+      if (now != share) {
+        put_run();
+        share = now;
+        count = 0;
+      }
       ++count;
     }
     return put_run();

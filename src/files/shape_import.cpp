@@ -26,7 +26,8 @@ bool before_by_numbers(const std::string& a, const std::string& b) {
   while (i < a.size() && j < b.size()) {
     if (!digit(a[i]) || !digit(b[j])) {
       if (a[i] != b[j]) return a[i] < b[j];
-      ++i, ++j;
+      ++i;
+      ++j;
       continue;
     }
     const auto run = [&](const std::string& text, std::size_t& at) {

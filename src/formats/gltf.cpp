@@ -379,8 +379,14 @@ private:
 
   void drop_unused_attributes() {
     Attributes& a = *attributes_;
-    if (!has_texture_) a.texture_points.clear(), a.corner_texture.clear();
-    if (!has_normals_) a.normals.clear(), a.corner_normal.clear();
+    if (!has_texture_) {
+      a.texture_points.clear();
+      a.corner_texture.clear();
+    }
+    if (!has_normals_) {
+      a.normals.clear();
+      a.corner_normal.clear();
+    }
     if (!has_colors_) a.colors.clear();
     if (!a.groups.empty() && a.groups.back().first_polygon == polygons_) a.groups.pop_back();
   }

@@ -134,7 +134,10 @@ public:
   // If no position changed, copies the bytes. Otherwise writes a single file with embedded data.
   std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                  TextWriter& out) const override {
-    if (is_at_rest(rest, positions)) return out.text(bytes_), std::vector<std::string>();
+    if (is_at_rest(rest, positions)) {
+      out.text(bytes_);
+      return std::vector<std::string>();
+    }
     GltfRewritten result = rewritten_gltf(file_, map_, rest, positions);
     for (std::size_t i = file_.binary ? 1 : 0; i < result.buffers.size(); ++i) embed(result, i);
     put(result, file_.binary, out);
@@ -420,7 +423,8 @@ private:
     if (has(&OutputVertex::texture)) {
       add_vectors(attributes["TEXCOORD_0"], 2, [&](const OutputVertex& v, float* to) {
         const Vec2 p = v.texture == mesh::none ? Vec2{0, 0} : given_.texture_points[v.texture];
-        to[0] = static_cast<float>(p[0]), to[1] = static_cast<float>(1 - p[1]);
+        to[0] = static_cast<float>(p[0]);
+        to[1] = static_cast<float>(1 - p[1]);
       });
     }
     if (!given_.colors.empty() || has(&OutputVertex::color)) {

@@ -313,7 +313,10 @@ bool is_certainly_obj(const Beginning& file) {
   try {
     for (; text.next_filled_line(); text.next_line(), ++statements) {
       switch (obj_word(text.word())) {
-        case ObjWord::vertex: numbers(3), ++vertices; break;
+        case ObjWord::vertex:
+          numbers(3);
+          ++vertices;
+          break;
         case ObjWord::normal: numbers(3); break;
         case ObjWord::texture_point: numbers(1); break;
         case ObjWord::face:

@@ -214,7 +214,10 @@ private:
         });
       }
     });
-    if (!valid) return positions.clear(), false;
+    if (!valid) {
+      positions.clear();
+      return false;
+    }
     values_.skip_bytes(element.count * row);
     return true;
   }
@@ -245,9 +248,14 @@ private:
         if (!fits) valid = false;
       }
     });
-    if (!valid) return s.corners.clear(), s.polygon_starts.resize(1), false;
+    if (!valid) {
+      s.corners.clear();
+      s.polygon_starts.resize(1);
+      return false;
+    }
     values_.skip_bytes(element.count * row);
-    polygons_ = element.count, corners_ = s.corners.size();
+    polygons_ = element.count;
+    corners_ = s.corners.size();
     return true;
   }
 

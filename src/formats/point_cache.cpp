@@ -39,9 +39,14 @@ std::string bytes_of(const PointCacheHead& head) {
              frames = static_cast<std::uint32_t>(head.frames);
   if (head.format == PointCacheFormat::pc2) {
     all = pc2_magic;
-    put(std::uint32_t{1}), put(points), put(head.start), put(head.rate), put(frames);
+    put(std::uint32_t{1});
+    put(points);
+    put(head.start);
+    put(head.rate);
+    put(frames);
   } else {
-    put(frames), put(points);
+    put(frames);
+    put(points);
     for (const float s : head.seconds) put(s);
   }
   return all;
@@ -157,7 +162,8 @@ void PointCache::read_pc2_head(std::uint64_t size) {
     warnings_.push_back(name_ + ": ignored the bytes after the last frame");
   if (std::isfinite(head_.start) && std::isfinite(head_.rate) && head_.rate > 0) return;
   warnings_.push_back(name_ + ": the start frame or the sample rate is invalid; used 0 and 1");
-  head_.start = 0, head_.rate = 1;
+  head_.start = 0;
+  head_.rate = 1;
 }
 
 void PointCache::read_mdd_head(std::uint64_t size) {

@@ -15,7 +15,10 @@ constexpr int most_decimals = 330;
 constexpr auto powers_of_ten = [] {
   std::array<double, 16> powers{};
   double power = 1;
-  for (double& p : powers) p = power, power *= 10;
+  for (double& p : powers) {
+    p = power;
+    power *= 10;
+  }
   return powers;
 }();
 

@@ -90,7 +90,10 @@ std::optional<Constraint> nearest_axis(float tolerance, Distance distance) {
   std::optional<Constraint> best;
   for (int axis = 0; axis < 3; ++axis) {
     const float d = distance(axis);
-    if (d <= nearest) nearest = d, best = Constraint{Kind::axis, axis};
+    if (d <= nearest) {
+      nearest = d;
+      best = Constraint{Kind::axis, axis};
+    }
   }
   return best;
 }

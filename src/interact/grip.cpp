@@ -78,7 +78,10 @@ Vertices border_of(const pose::Cage& cage, const Vertices& vertices) {
     largest = std::max(largest, size[together.find(staying)]);
     joined_to[moving] = std::max(joined_to[moving], static_cast<std::uint32_t>(size[together.find(staying)]));
   };
-  for (const auto& [a, b] : cage.edges) meet(a, b), meet(b, a);
+  for (const auto& [a, b] : cage.edges) {
+    meet(a, b);
+    meet(b, a);
+  }
   Vertices border;
   for (const auto v : vertices) {
     if (largest > 0 && joined_to[v] == largest) border.push_back(v);
@@ -140,7 +143,8 @@ glm::dmat3 axes_of_selection(const document::Document& document, const Vertices&
     double low = 1e300, high = -1e300;
     for (const auto& p : cloud.positions) {
       const double at = mesh::dot(frame.axes[i], p - frame.center) * frame.scale;
-      low = std::min(low, at), high = std::max(high, at);
+      low = std::min(low, at);
+      high = std::max(high, at);
     }
     extents[i] = {high - low, forward(frame.axes[i])};
   }

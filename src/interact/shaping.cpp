@@ -49,8 +49,10 @@ std::vector<mesh::Vec3> smoothing_displacements(const document::Document& docume
   std::vector<mesh::Point> sums(positions.size(), {0, 0, 0});
   std::vector<double> counts(positions.size(), 0);
   for (const auto& [a, b] : document.cage()->edges) {
-    sums[a] = sums[a] + positions[b], sums[b] = sums[b] + positions[a];
-    ++counts[a], ++counts[b];
+    sums[a] = sums[a] + positions[b];
+    sums[b] = sums[b] + positions[a];
+    ++counts[a];
+    ++counts[b];
   }
   std::vector<mesh::Vec3> displacements;
   for (const Gripped& g : grip.vertices) {

@@ -93,7 +93,10 @@ Transform TransformDrag::still() const {
   t.pivot = pivot_;
   t.axes = grip_.anchor.axes;
   if (grip_.shaping.shape == Shape::taper) t.amount = 1;
-  if (grip_.shaping.shape == Shape::bend) t.pivot = grip_.shaping.from, t.axis = grip_.shaping.hinge;
+  if (grip_.shaping.shape == Shape::bend) {
+    t.pivot = grip_.shaping.from;
+    t.axis = grip_.shaping.hinge;
+  }
   return t;
 }
 
@@ -111,7 +114,10 @@ void TransformDrag::update(document::Document& document, const DragInput& input,
 bool TransformDrag::type(char c) {
   const char lower = static_cast<char>(c | 0x20);
   const bool axis = lower >= 'x' && lower <= 'z';
-  if (axis && grip_.shaping.shape == Shape::bend) return bend_about(lower - 'x'), true;
+  if (axis && grip_.shaping.shape == Shape::bend) {
+    bend_about(lower - 'x');
+    return true;
+  }
   if (!axis || grip_.shaping.shape != Shape::none) return entry_.type(c);
   const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
   // A rotation has no plane: uses the normal of the plane as axis.

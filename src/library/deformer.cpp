@@ -32,8 +32,13 @@ pose::Deformer deformer_of(const Blending& b, bool has_triangles) {
   if (has_triangles || b.deformer != Blending{}.deformer) take(b.deformer, "deformer", asked.preset);
   take(b.weights, "weights", asked.choice.weights);
   take(b.blend, "blend", asked.choice.blend);
-  asked.radius = b.radius, asked.rotation = b.rotation, asked.stretch = b.stretch;
-  asked.arap = b.arap, asked.iterations = b.iterations, asked.attach = b.attach, asked.hold = b.hold;
+  asked.radius = b.radius;
+  asked.rotation = b.rotation;
+  asked.stretch = b.stretch;
+  asked.arap = b.arap;
+  asked.iterations = b.iterations;
+  asked.attach = b.attach;
+  asked.hold = b.hold;
   for (const pose::NumberEntry& number : pose::all_numbers())
     if (const auto& value = asked.*number.asked)
       library::check_range(number.word.data(), *value, number.least, number.largest);
@@ -136,7 +141,8 @@ struct Deformer::Impl {
           std::make_shared<const deform::Stitching>(deform::stitch(model, *cage, pool, deformer, progress));
     live_ = std::make_unique<deform::FrameDeformer>(cage, std::move(binding), deformer, pool,
                                                     std::move(stitching));
-    live_->set_mask(mask), live_->set_shape(shape);
+    live_->set_mask(mask);
+    live_->set_shape(shape);
     return *live_;
   }
 

@@ -154,8 +154,12 @@ Mesh make_cage(const Mesh& model, const CageWish& asked, const Watch& watch) {
   check_range("margin", asked.margin, cages::least_margin, cages::most_margin);
   check_range("gap", asked.gap, 0, cages::most_gap);
   for (const std::size_t cells : asked.cells) check_range("cells", count(cells), 1, count(cages::most_cells));
-  wish.triangles = asked.triangles, wish.margin = asked.margin, wish.gap = asked.gap;
-  wish.quads = asked.quads, wish.cells = asked.cells, wish.own_axes = asked.own_axes;
+  wish.triangles = asked.triangles;
+  wish.margin = asked.margin;
+  wish.gap = asked.gap;
+  wish.quads = asked.quads;
+  wish.cells = asked.cells;
+  wish.own_axes = asked.own_axes;
   const mesh::Surface surface = library::surface_of(model, "the model");
   return library::watched(watch, [&](base::Progress* progress) {
     base::WorkerPool pool;

@@ -26,7 +26,8 @@ struct Sequence {
     check_range("at", moment, 0, last);
     if (animation) return animation->at(moment, linear);
     document::Timeline timeline;
-    timeline.first = 0, timeline.last = last;
+    timeline.first = 0;
+    timeline.last = last;
     timeline.repeat = document::Repeat::once;
     const auto easing = last == 1 ? document::Easing::constant_speed : document::Easing::smooth;
     for (int frame = 0; frame <= last; ++frame)

@@ -65,7 +65,10 @@ Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEac
 /// Returns the neighbours of each node of a graph, in the order of the edges.
 inline Adjacency adjacency(std::size_t nodes, std::span<const Edge> edges) {
   return make_adjacency(nodes, [&](const auto& add) {
-    for (const auto& [a, b] : edges) add(a, b), add(b, a);
+    for (const auto& [a, b] : edges) {
+      add(a, b);
+      add(b, a);
+    }
   });
 }
 

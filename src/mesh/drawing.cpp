@@ -144,7 +144,10 @@ Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bou
   std::ranges::sort(
       all, {}, [&](const Replaced& r) { return std::tuple(codes[r.triangle[0]], r.triangle, r.source); });
   std::vector<Triangle> triangles;
-  for (const auto& [triangle, source] : all) triangles.push_back(triangle), draft.sources.push_back(source);
+  for (const auto& [triangle, source] : all) {
+    triangles.push_back(triangle);
+    draft.sources.push_back(source);
+  }
   draft.surface = from_triangles(picked(std::span(surface.positions), draft.vertices), triangles);
   return draft;
 }

@@ -48,7 +48,11 @@ HalfEdges half_edges(std::size_t vertices, std::span<const Triangle> triangles) 
   const auto for_each_side = [&](const auto& add) {
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       const auto& [a, b, c] = triangles[t];
-      if (!repeats_corner(triangles[t])) add(a, b, t), add(b, c, t), add(c, a, t);
+      if (!repeats_corner(triangles[t])) {
+        add(a, b, t);
+        add(b, c, t);
+        add(c, a, t);
+      }
     }
   };
   visit_edges(vertices, for_each_side, [&](std::uint32_t low, std::span<const Side> sides) {

@@ -27,7 +27,9 @@ Adjacency sides(const Surface& surface) {
 // Joins the results for two blocks of vertices or triangles.
 Summary joined(Summary a, const Summary& b) {
   const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
-  a.edges += b.edges, a.area += b.area, a.volume += b.volume;
+  a.edges += b.edges;
+  a.area += b.area;
+  a.volume += b.volume;
   append(a.boundary_edges, b.boundary_edges);
   append(a.nonmanifold_edges, b.nonmanifold_edges);
   append(a.misoriented_edges, b.misoriented_edges);
@@ -44,7 +46,10 @@ Summary edges_of(const Surface& surface) {
       for (std::size_t i = 0; i < around.size(); ++summary.edges) {
         const std::uint32_t high = around[i] / 2;
         std::size_t count = 0, upwards = 0;
-        for (; i < around.size() && around[i] / 2 == high; ++i) ++count, upwards += around[i] % 2;
+        for (; i < around.size() && around[i] / 2 == high; ++i) {
+          ++count;
+          upwards += around[i] % 2;
+        }
         if (count == 1) summary.boundary_edges.push_back({low, high});
         if (count == 2 && upwards != 1) summary.misoriented_edges.push_back({low, high});
         if (count > 2) summary.nonmanifold_edges.push_back({low, high});

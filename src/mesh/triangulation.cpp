@@ -208,7 +208,8 @@ private:
       ears_.pop();
       if (previous_[ear.corner] != ear.previous || next_[ear.corner] != ear.next) continue;
       clip(ear.corner);
-      look_at(ear.previous, kind), look_at(ear.next, kind);
+      look_at(ear.previous, kind);
+      look_at(ear.next, kind);
       any = true;
     }
     return any;
@@ -227,7 +228,10 @@ private:
     if (turns_[i] <= 0) return turns_[i] == 0 && kind == Ears::flat;
     if (kind < Ears::thin && is_thin(ear)) return false;
     Box2 box = box_of(std::array{places_[ear[0]], places_[ear[1]], places_[ear[2]]});
-    for (std::size_t k = 0; k < 2; ++k) box.low[k] -= slack_, box.high[k] += slack_;
+    for (std::size_t k = 0; k < 2; ++k) {
+      box.low[k] -= slack_;
+      box.high[k] += slack_;
+    }
     return !cells_.any(box, [&](std::uint32_t other) {
       return turns_[other] <= 0 && box.holds(places_[other]) && spoils(other, ear, kind);
     });
@@ -270,10 +274,12 @@ private:
     Triangle t{a, i, b};
     std::ranges::rotate(t, std::ranges::min_element(t));
     triangles_.push_back(t);
-    next_[a] = b, previous_[b] = a;
+    next_[a] = b;
+    previous_[b] = a;
     previous_[i] = next_[i] = i;
     turns_[i] = 1;
-    turns_[a] = turn(previous_[a], a, b), turns_[b] = turn(a, b, next_[b]);
+    turns_[a] = turn(previous_[a], a, b);
+    turns_[b] = turn(a, b, next_[b]);
     first_ = a;
     --left_;
   }
@@ -384,8 +390,10 @@ void split_polygon(std::uint32_t polygon, std::size_t most, bool at_diagonals, C
   std::vector<std::uint32_t> ring(corners.begin(), corners.end());
   std::ranges::rotate(ring, std::ranges::min_element(ring));
   const auto places = picked<Point>(split.surface.positions, ring);
-  if (const auto i = at_diagonals ? settled_corner(places) : none; i != none)
-    return add(ring[i], ring[i + 1], ring[i + 2]), add(ring[i], ring[i + 2], ring[(i + 3) % 4]);
+  if (const auto i = at_diagonals ? settled_corner(places) : none; i != none) {
+    add(ring[i], ring[i + 1], ring[i + 2]);
+    return add(ring[i], ring[i + 2], ring[(i + 3) % 4]);
+  }
   std::vector<Point> fan{mean_of(ring, split.surface.positions)};
   fan.insert(fan.end(), places.begin(), places.end());
   fan.push_back(places[0]);

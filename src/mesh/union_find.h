@@ -42,7 +42,10 @@ private:
 /// Returns sets of vertices. Vertices that triangles connect are in one set.
 inline UnionFind parts_by_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
   UnionFind parts(vertices);
-  for (const auto& [a, b, c] : triangles) parts.join(a, b), parts.join(b, c);
+  for (const auto& [a, b, c] : triangles) {
+    parts.join(a, b);
+    parts.join(b, c);
+  }
   return parts;
 }
 

@@ -57,7 +57,10 @@ std::optional<std::vector<std::uint32_t>> order_by_corners(const Faces& found, c
   std::vector<std::uint32_t> order(vertices, none), taken(vertices, none);
   for (std::size_t c = 0; c < wanted.corners.size(); ++c) {
     const std::uint32_t w = wanted.corners[c], f = found.corners[c];
-    if (order[w] == none && taken[f] == none) order[w] = f, taken[f] = w;
+    if (order[w] == none && taken[f] == none) {
+      order[w] = f;
+      taken[f] = w;
+    }
     if (order[w] != f) return std::nullopt;
   }
   std::uint32_t next = 0;

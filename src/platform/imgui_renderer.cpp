@@ -79,7 +79,8 @@ bool ImGuiRenderer::has_drawn(const ImDrawData& data) const {
 }
 
 void ImGuiRenderer::remember(const ImDrawData& data) {
-  size_ = data.DisplaySize, scale_ = data.FramebufferScale;
+  size_ = data.DisplaySize;
+  scale_ = data.FramebufferScale;
   drawn_.resize(static_cast<std::size_t>(data.CmdListsCount));
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     const ImDrawList& list = *data.CmdLists[static_cast<int>(i)];

@@ -161,7 +161,10 @@ GLFWmonitor* screen_of(const Area& window) {
     const Area screen = area_of(screens[i]);
     const glm::ivec2 shared =
         glm::max(glm::ivec2(0), glm::min(window.high, screen.high) - glm::max(window.low, screen.low));
-    if (shared.x * shared.y > most) best = screens[i], most = shared.x * shared.y;
+    if (shared.x * shared.y > most) {
+      best = screens[i];
+      most = shared.x * shared.y;
+    }
   }
   return best;
 }

@@ -301,7 +301,10 @@ bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::ve
   for (const auto n : neighbours.around.of(t)) {
     const Vec3 log = nearest_branch(logs[t], logs[other(neighbours.pairs[n], t)]);
     const double c = cost(neighbours, t, log, logs);
-    if (c < least - better_by * weight) least = c, best = log;
+    if (c < least - better_by * weight) {
+      least = c;
+      best = log;
+    }
   }
   const bool changed = best != logs[t];
   logs[t] = best;
@@ -330,7 +333,10 @@ WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const doub
   WeightedPairs n{std::move(pairs), {}, {}};
   for (const auto& [a, b] : n.pairs) n.weights.push_back(std::sqrt(std::min(areas[a], areas[b])));
   n.around = mesh::make_adjacency(areas.size(), [&](const auto& add) {
-    for (std::uint32_t i = 0; i < n.pairs.size(); ++i) add(n.pairs[i][0], i), add(n.pairs[i][1], i);
+    for (std::uint32_t i = 0; i < n.pairs.size(); ++i) {
+      add(n.pairs[i][0], i);
+      add(n.pairs[i][1], i);
+    }
   });
   return n;
 }

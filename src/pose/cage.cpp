@@ -247,7 +247,8 @@ double thickness(const Cage& cage) {
   double least = 0, most = 0;
   for (const auto v : cage.surface.corners) {
     const double height = dot(normal, scale * (p[v] - p[a]));
-    least = std::min(least, height), most = std::max(most, height);
+    least = std::min(least, height);
+    most = std::max(most, height);
   }
   return most - least;
 }

@@ -111,7 +111,8 @@ void split_portion(std::span<const AffineMap> maps, std::span<const std::uint32_
     for (int k = 0; k < 9; ++k) out.rotation[k] = r.at[k][n];
     out.stretch = {x.at[0][n], x.at[1][n], x.at[2][n], x.at[3][n], x.at[4][n], x.at[5][n]};
     out.turn = {turns.at[0][n], turns.at[1][n], turns.at[2][n]};
-    out.least = values.at[0][n], out.largest = values.at[2][n];
+    out.least = values.at[0][n];
+    out.largest = values.at[2][n];
   }
 }
 

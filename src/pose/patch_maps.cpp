@@ -24,8 +24,12 @@ struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};
 
   void add(double w, const Vec3& x) {
-    k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
-    k.yy += w * x[1] * x[1], k.yz += w * x[1] * x[2], k.zz += w * x[2] * x[2];
+    k.xx += w * x[0] * x[0];
+    k.xy += w * x[0] * x[1];
+    k.xz += w * x[0] * x[2];
+    k.yy += w * x[1] * x[1];
+    k.yz += w * x[1] * x[2];
+    k.zz += w * x[2] * x[2];
   }
   // Returns (least singular value) / (largest singular value) of the points.
   double ratio() const {
@@ -79,7 +83,8 @@ std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, st
     Spread spread;
     std::size_t ring = 0, end = 0;  // the last ring: vertices [ring, end)
     do {
-      ring = end, end = vertices.size();
+      ring = end;
+      end = vertices.size();
       for (std::size_t i = ring; i < end; ++i) {
         for (const auto n : around.of(vertices[i])) {
           if (std::exchange(seen[n], center) == center) continue;

@@ -65,7 +65,10 @@ public:
         std::copy_n(map.linear.begin() + 3 * r, 3, to);
         if (rows == 4) to[3] = map.translation[r];
       }
-      if (rows == 4) to[3] = std::is_same_v<decltype(map), const Affine>, to += 4;
+      if (rows == 4) {
+        to[3] = std::is_same_v<decltype(map), const Affine>;
+        to += 4;
+      }
     });
     return single_ ? py::array_t<float>(result) : py::array(result);
   }

@@ -71,8 +71,10 @@ py::object derivative(const char* name, const py::object& a, const py::object& e
     T* to = result.mutable_data();
     std::vector<sym3::SymView<const T>> froms;
     std::vector<sym3::SymView<T>> tos;
-    for (std::size_t k = 0; k < n; ++k)
-      froms.emplace_back(shape.layout, from + k * step), tos.emplace_back(shape.layout, to + k * step);
+    for (std::size_t k = 0; k < n; ++k) {
+      froms.emplace_back(shape.layout, from + k * step);
+      tos.emplace_back(shape.layout, to + k * step);
+    }
     const sym3::SymView<const T> matrices(shape.layout, in.data());
     const py::gil_scoped_release release;
     f(matrices, sym3::Directions<T>(froms), sym3::Derivatives<T>(tos), shape.count);

@@ -29,7 +29,10 @@ double area(const Point& a, const Point& b, const Point& c) {
 std::array<float, 3> shares(std::size_t i) {
   double a = std::fmod(0.7548776662466927 * static_cast<double>(i) + 0.5, 1.0);
   double b = std::fmod(0.5698402909980532 * static_cast<double>(i) + 0.5, 1.0);
-  if (a + b > 1) a = 1 - a, b = 1 - b;
+  if (a + b > 1) {
+    a = 1 - a;
+    b = 1 - b;
+  }
   return {static_cast<float>(1 - a - b), static_cast<float>(a), static_cast<float>(b)};
 }
 
@@ -80,8 +83,10 @@ struct Box {
 Box bounds(std::span<const glm::vec3> points, float cell) {
   Box box;
   for (const auto& p : points) {
-    if (has_cell(p, cell))
-      box.low = glm::min(box.low, glm::vec2(p)), box.high = glm::max(box.high, glm::vec2(p));
+    if (has_cell(p, cell)) {
+      box.low = glm::min(box.low, glm::vec2(p));
+      box.high = glm::max(box.high, glm::vec2(p));
+    }
   }
   return box;
 }
@@ -145,7 +150,8 @@ GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
       glm::floor(box.high / shadow.cell) + 1.0F + static_cast<float>(margin) - first, glm::vec2(most_cells));
   if (!(count.x > 0 && count.y > 0)) return shadow;
   shadow.low = first * shadow.cell;
-  shadow.width = whole_squares(count.x), shadow.height = whole_squares(count.y);
+  shadow.width = whole_squares(count.x);
+  shadow.height = whole_squares(count.y);
 
   Cells near_by(shadow.width, shadow.height), far_off(shadow.width, shadow.height);
   for (const auto& p : points) {

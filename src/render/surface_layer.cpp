@@ -171,7 +171,10 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   if (!has_vertices_) return;
   const bool points = triangle_count_ == 0;  // without corners, which edges and looks need
   SurfaceStyle style = wanted;
-  if (points) style.paint = Paint::plain, style.wireframe = 0;
+  if (points) {
+    style.paint = Paint::plain;
+    style.wireframe = 0;
+  }
   indices_.bind(0);
   vertices_.bind(1);
   occlusion_.bind(3);

@@ -95,9 +95,12 @@ ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVecto
 void ExamplePosing::restart() {
   weights_.assign(examples_.size(), 0);
   usual_weights_ = weights_;
-  turn_ = {0, 0, 0}, turns_ = false;
-  damping_ = 1e-3, energy_ = std::numeric_limits<double>::infinity();
-  positions_ = space_.logs().rest(), posed_.clear();
+  turn_ = {0, 0, 0};
+  turns_ = false;
+  damping_ = 1e-3;
+  energy_ = std::numeric_limits<double>::infinity();
+  positions_ = space_.logs().rest();
+  posed_.clear();
   if (space_.coarse()) model_positions_ = space_.rest();
 }
 
@@ -115,8 +118,10 @@ std::vector<ExamplePosing::Share> ExamplePosing::shares_of(std::uint32_t vertex)
   if (!space_.coarse()) return {{vertex, 1}};
   std::vector<Share> shares;
   double sum = 0;
-  for (const auto& [cluster, factor] : space_.coarse()->terms(vertex))
-    shares.push_back({cluster, factor}), sum += shares.back().factor;
+  for (const auto& [cluster, factor] : space_.coarse()->terms(vertex)) {
+    shares.push_back({cluster, factor});
+    sum += shares.back().factor;
+  }
   for (Share& share : shares) share.factor /= sum;
   return shares;
 }
@@ -173,9 +178,11 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
       {static_cast<double>(pins.size()) *
            (8.0 * static_cast<double>(rest.size()) + 24.0 * static_cast<double>(logs.corners().size())),
        base::counted(pins.size(), "pin") + " on this model take", "pin fewer vertices", ""});
-  pins_ = std::move(pins), shares_ = std::move(shares);
+  pins_ = std::move(pins);
+  shares_ = std::move(shares);
   energy_ = std::numeric_limits<double>::infinity();
-  columns_.clear(), part_of_pin_.clear();
+  columns_.clear();
+  part_of_pin_.clear();
   LogSpace::Work work;
   work.displacements.resize(rest.size());
   for (std::size_t first = 0; first < pins_.size(); first += 3) {
@@ -215,7 +222,8 @@ void ExamplePosing::fill_gradients() {
         q = q + logs.cotangents()[t][k] * (columns_[pin][a] - columns_[pin][b]) * (rest[a] - rest[b]);
       }
       double* of = gradients_.data() + (t / plane_size * pins + pin) * 2 * plane_size + t % plane_size;
-      of[0] = dot(q, axes.u), of[plane_size] = dot(q, axes.v);
+      of[0] = dot(q, axes.u);
+      of[plane_size] = dot(q, axes.v);
     }
   }
 }
@@ -326,8 +334,10 @@ void ExamplePosing::begin_turn() {
   const auto& rest = space_.logs().rest();
   const double share = 1 / static_cast<double>(pins_.size());
   Vec3 from{0, 0, 0}, to{0, 0, 0};
-  for (std::size_t k = 0; k < pins_.size(); ++k)
-    from = from + share * at_pin(k, rest), to = to + share * targets_[k];
+  for (std::size_t k = 0; k < pins_.size(); ++k) {
+    from = from + share * at_pin(k, rest);
+    to = to + share * targets_[k];
+  }
   Mat sum{};
   for (std::size_t k = 0; k < pins_.size(); ++k) {
     const Vec3 a = targets_[k] - to, b = at_pin(k, rest) - from;
@@ -360,14 +370,16 @@ double ExamplePosing::advance(std::span<const mesh::Point> targets, const Posing
   const double held = settings.restraint * area_;
   const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
   if (energy > energy_) {  // the last step was too long, so undo the step and increase the damping
-    weights_ = last_weights_, turn_ = last_turn_;
+    weights_ = last_weights_;
+    turn_ = last_turn_;
     damping_ = std::min(10 * damping_, most_damping);
     energy_ = std::numeric_limits<double>::infinity();
     return advance(targets, settings);
   }
   damping_ = std::max(damping_ / 3, least_damping);
   energy_ = energy;
-  last_weights_ = weights_, last_turn_ = turn_;
+  last_weights_ = weights_;
+  last_turn_ = turn_;
 
   Eigen::MatrixXd pulled(3 * n, m + 3);  // the stiffness times the derivatives
   for (Eigen::Index c = 0; c < m + 3; ++c) {

@@ -40,7 +40,8 @@ public:
   // each of its sides. The equations' right-hand side contains the pull at the first end of the side, and the
   // negative pull at the second end.
   void pull_by_logs(std::size_t first, std::size_t count) {
-    sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
+    sides_ = space_.sides_of(first);
+    next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
   }
   // Does the same for a list of indices into triangles_.
@@ -59,7 +60,10 @@ public:
     // A line does not determine a rotation: a coupling takes the rotation of the triangle beside it.
     const auto fitted = [&](std::size_t i) { return space_.index_of_[space_.triangles_[at(i)]]; };
     const Plane* sides = sides_;
-    if (fitted(count - 1) != at(count - 1)) gather(count, fitted), sides = gathered_;
+    if (fitted(count - 1) != at(count - 1)) {
+      gather(count, fitted);
+      sides = gathered_;
+    }
     for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, fitted, sides, k);
     kernel_.spread(posed_, sides, sides + 9, maps_);
     kernel_.times_symmetric(maps_, stretches_, rotations_);
@@ -172,8 +176,11 @@ LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* pro
 sparse::SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
   const std::size_t count = mesh.triangles.size();
   index_of_.resize(count);
-  corners_.reserve(count), triangles_.reserve(count), part_of_.reserve(count);
-  placed_.reserve(count), cotangents_.reserve(count);
+  corners_.reserve(count);
+  triangles_.reserve(count);
+  part_of_.reserve(count);
+  placed_.reserve(count);
+  cotangents_.reserve(count);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.degenerate[t]) continue;
     const auto& [a, b, c] = corners_.emplace_back(mesh.triangles[t]);
@@ -210,8 +217,10 @@ std::vector<weights::Coupling> LogSpace::add_couplings(std::span<const weights::
     const auto a = places_[coupling.vertex], b = places_[coupling.triangle[0]], i = beside[a];
     if (i == mesh::none || beside[b] == mesh::none || parts.find(a) == parts.find(b)) continue;
     added.push_back({a, {b, b, b}, {1, 0, 0}, coupling.strength});
-    triangles_.push_back(triangles_[i]), part_of_.push_back(part_of_[i]);
-    corners_.push_back({a, b, b}), placed_.push_back({a, b, b});
+    triangles_.push_back(triangles_[i]);
+    part_of_.push_back(part_of_[i]);
+    corners_.push_back({a, b, b});
+    placed_.push_back({a, b, b});
     cotangents_.push_back({0, 0, coupling.strength});
   }
   return added;
@@ -249,7 +258,10 @@ void LogSpace::find_parts(mesh::UnionFind sets) {
     parts_.loose[v] = around_.of(places_[v]).empty();
     if (parts_.loose[v]) continue;
     std::uint32_t& part = part_of_set[sets.find(places_[v])];
-    if (part == no_part) part = count++, grounded_.push_back(v);
+    if (part == no_part) {
+      part = count++;
+      grounded_.push_back(v);
+    }
     part_of[v] = part;
   }
   parts_.vertices = mesh::make_adjacency(count, [&](const auto& add) {
@@ -261,14 +273,17 @@ void LogSpace::find_parts(mesh::UnionFind sets) {
 LogVector LogSpace::at_rest() const {
   LogVector vector;
   vector.logs.resize(index_of_.size());
-  vector.leftovers.resize(rest_.size()), vector.displacements.resize(rest_.size());
+  vector.leftovers.resize(rest_.size());
+  vector.displacements.resize(rest_.size());
   vector.wholes.resize(part_count_);
   return vector;
 }
 
 void LogSpace::turn_by(std::span<const LogTerm> terms, const Vec3* whole, Work& work) const {
-  work.right.resize(rest_.size()), work.displacements.resize(rest_.size());
-  work.wholes.resize(part_count_), work.turned.clear();
+  work.right.resize(rest_.size());
+  work.displacements.resize(rest_.size());
+  work.wholes.resize(part_count_);
+  work.turned.clear();
   for (std::size_t part = 0; part < part_count_; ++part)
     work.wholes[part] = whole ? *whole : summed(terms, &LogVector::wholes, part);
   const auto turns = [](const Vec3& w) { return w != Vec3{0, 0, 0}; };
@@ -287,7 +302,11 @@ void LogSpace::follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Wo
     work.doubted.insert(work.doubted.end(), placed_[i].begin(), placed_[i].end());
   ground(work);
   factors_.solve_corrected(
-      work.right, work.displacements, work.doubted, [&] { fit_doubtful(terms, work), ground(work); },
+      work.right, work.displacements, work.doubted,
+      [&] {
+        fit_doubtful(terms, work);
+        ground(work);
+      },
       work.solve);
   spread_places(work);
 }
@@ -316,7 +335,9 @@ template <class Pull>
 void LogSpace::add_pulls_of(std::size_t i, const Pull& pull, std::span<Vec3> right) const {
   const Vec3 p0 = pull(0), p1 = pull(1), p2 = pull(2);
   Vec3 &a = right[placed_[i][0]], &b = right[placed_[i][1]], &c = right[placed_[i][2]];
-  a = (a - p1) + p2, b = (b + p0) - p2, c = (c - p0) + p1;
+  a = (a - p1) + p2;
+  b = (b + p0) - p2;
+  c = (c - p0) + p1;
 }
 
 // Sums the pulls at each place in a fixed order, so that results do not depend on the number of threads.
@@ -397,7 +418,8 @@ void LogSpace::complete(std::span<const mesh::Point> positions, base::WorkerPool
                         LogVector& vector) const {
   const LogTerm term{&vector, 1};
   Work work;
-  vector.displacements.resize(rest_.size()), vector.leftovers.resize(rest_.size());
+  vector.displacements.resize(rest_.size());
+  vector.leftovers.resize(rest_.size());
   follow({&term, 1}, pool, work);
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     vector.displacements[v] = positions[v] - rest_[v];

@@ -71,8 +71,12 @@ static void map(const Plane* logs, const double* r, const Plane* next, Plane* s,
     const lanes::Six<V> e =
         lanes::exp_lanes(Tag(), lanes::Six<V>{at(logs[0], i), at(logs[1], i), at(logs[2], i), at(logs[3], i),
                                               at(logs[4], i), at(logs[5], i)});
-    put(e.xx, s[0], i), put(e.xy, s[1], i), put(e.xz, s[2], i), put(e.yy, s[3], i), put(e.yz, s[4], i),
-        put(e.zz, s[5], i);
+    put(e.xx, s[0], i);
+    put(e.xy, s[1], i);
+    put(e.xz, s[2], i);
+    put(e.yy, s[3], i);
+    put(e.yz, s[4], i);
+    put(e.zz, s[5], i);
     const auto q =
         lanes::exp_rotation_lanes(Tag(), lanes::Three<V>{at(logs[6], i), at(logs[7], i), at(logs[8], i)});
     V of[9] = {sum(q.xx, e.xx, q.xy, e.xy, q.xz, e.xz), sum(q.xx, e.xy, q.xy, e.yy, q.xz, e.yz),
@@ -121,7 +125,12 @@ static HWY_INLINE Vector sum(V a, const Vector& x, V b, const Vector& y, V c, co
 }
 
 static HWY_INLINE void put(const Vector& u, const Vector& v, V (&six)[6]) {
-  six[0] = u.x, six[1] = u.y, six[2] = u.z, six[3] = v.x, six[4] = v.y, six[5] = v.z;
+  six[0] = u.x;
+  six[1] = u.y;
+  six[2] = u.z;
+  six[3] = v.x;
+  six[4] = v.y;
+  six[5] = v.z;
 }
 
 static HWY_INLINE void put(const V (&six)[6], double* planes) {

@@ -136,11 +136,15 @@ std::optional<ShapeSpace> ShapeSpace::joined(base::WorkerPool& pool) const {
   if (logs_.parts().count() < 2) return {};
   mesh::Surface model{rest_, {}, {}, {}, {}, {}};
   if (!coarse_) {
-    model.corners = split_.surface.corners, model.polygon_starts = split_.surface.polygon_starts;
+    model.corners = split_.surface.corners;
+    model.polygon_starts = split_.surface.polygon_starts;
     mesh::triangulate(model);
   }
   std::optional<weights::CoarseModel> coarse = coarse_;
-  if (!coarse && weights::needs_coarse_model(model)) coarse.emplace(model, pool), coarse->adopt_clusters();
+  if (!coarse && weights::needs_coarse_model(model)) {
+    coarse.emplace(model, pool);
+    coarse->adopt_clusters();
+  }
   const auto couplings = weights::vertex_couplings(coarse ? coarse->surface() : model, pool);
   if (couplings.empty() && coarse.has_value() == coarse_.has_value()) return {};
   return ShapeSpace(model, std::move(coarse), couplings, pool, nullptr);
@@ -148,7 +152,8 @@ std::optional<ShapeSpace> ShapeSpace::joined(base::WorkerPool& pool) const {
 
 ShapeSpace::Triangles ShapeSpace::triangles_of(const mesh::Surface& rest) {
   Triangles all{rest.triangles, {}, {}, {}, {}};
-  all.bases.reserve(rest.triangles.size()), all.areas.reserve(rest.triangles.size());
+  all.bases.reserve(rest.triangles.size());
+  all.areas.reserve(rest.triangles.size());
   const auto& p = rest.positions;
   const double unit = mesh::used_bounds(rest).diagonal();
   for (const auto& t : rest.triangles) {
@@ -175,7 +180,8 @@ void ShapeSpace::doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt
   std::vector<double> farthest(turns.size());
   for (const auto& [a, b] : triangles_.neighbours.pairs) {
     const double distance = norm(turns[a] - turns[b]);
-    farthest[a] = std::max(farthest[a], distance), farthest[b] = std::max(farthest[b], distance);
+    farthest[a] = std::max(farthest[a], distance);
+    farthest[b] = std::max(farthest[b], distance);
   }
   for (std::uint32_t t = 0; t < turns.size(); ++t) {
     const double share = std::clamp((farthest[t] - doubted) / (given_up - doubted), 0.0, 1.0);
@@ -238,7 +244,10 @@ std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positio
 
 LogVector ShapeSpace::at_rest() const {
   LogVector vector = logs_.at_rest();
-  if (coarse_) vector.fine_displacements.resize(rest_.size()), vector.details.resize(rest_.size());
+  if (coarse_) {
+    vector.fine_displacements.resize(rest_.size());
+    vector.details.resize(rest_.size());
+  }
   return vector;
 }
 
@@ -322,7 +331,8 @@ LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::Worke
   const std::vector<Vec3> means = solved(positions, pool);
   LogVector vector = solved_vector(means, pool, before, report);
   if (!coarse_) return vector;
-  vector.fine_displacements.resize(rest_.size()), vector.details.resize(rest_.size());
+  vector.fine_displacements.resize(rest_.size());
+  vector.details.resize(rest_.size());
   move_with_clusters(means, pose::first_numbers(rest_.size()), pool,
                      [&](std::size_t v, const Vec3& position, const Mat& rotation) {
                        vector.fine_displacements[v] = positions[v] - rest_[v];
@@ -338,7 +348,8 @@ LogVector ShapeSpace::solved_vector(std::span<const mesh::Point> positions, base
   std::vector<pose::MapSplit> splits = split(positions, pool, sum);
   std::vector<std::uint8_t> collapsed = raise(positions, splits);
   std::vector<Mat> rotations;
-  rotations.reserve(splits.size()), vector.logs.reserve(splits.size());
+  rotations.reserve(splits.size());
+  vector.logs.reserve(splits.size());
   for (const pose::MapSplit& s : splits) rotations.push_back(s.rotation);
   Folds folds(triangles_.neighbours, rotations, std::move(collapsed));
   vector.wholes = {pose::nearest_branch(mean_turn(sum), before ? before->wholes[0] : Vec3{0, 0, 0})};

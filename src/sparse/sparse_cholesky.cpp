@@ -61,7 +61,8 @@ public:
     factor.inverse.resize(factor.size());
     for (std::size_t s = 0; s < work_.size(); ++s) {
       const double work = work_of(factor.supernodes[s]);
-      work_[s] += work, total_ += work;
+      work_[s] += work;
+      total_ += work;
       if (factor.parents[s] != no_parent) work_[factor.parents[s]] += work_[s];
     }
   }
@@ -297,7 +298,10 @@ double diagonal(const SparseMatrix& matrix, std::uint32_t row) {
 }
 
 void put(const mesh::Vec3& from, double* to) {
-  to[0] = from[0], to[1] = from[1], to[2] = from[2], to[3] = 0;
+  to[0] = from[0];
+  to[1] = from[1];
+  to[2] = from[2];
+  to[3] = 0;
 }
 mesh::Vec3 vec(const double* from) {
   return {from[0], from[1], from[2]};
@@ -347,7 +351,10 @@ void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Ve
   };
   for_part([&](std::size_t i) { work.part[i] = work.rows[i]; });
   kernel.backward_four(part, work.part.data());
-  for (const auto u : some) x[u] = vec(&work.part[4 * places_[u]]), b[u] = {0, 0, 0};
+  for (const auto u : some) {
+    x[u] = vec(&work.part[4 * places_[u]]);
+    b[u] = {0, 0, 0};
+  }
   correct();
   for_part([&](std::size_t i) { work.part[i] = 0; });
   for (const auto u : some) put(b[u], &work.part[4 * places_[u]]);

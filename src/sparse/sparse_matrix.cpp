@@ -39,8 +39,8 @@ SparseMatrix transposed_sum(const SparseMatrix& matrix) {
   for_entries([&](auto, std::uint32_t row, bool is_new, double) { result.starts[row + 1] += is_new; });
   std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
   std::vector<std::int32_t> next(result.starts.begin(), result.starts.end() - 1);
-  result.rows.resize(static_cast<std::size_t>(result.starts.back())),
-      result.values.resize(result.rows.size());
+  result.rows.resize(static_cast<std::size_t>(result.starts.back()));
+  result.values.resize(result.rows.size());
   for_entries([&](std::uint32_t v, std::uint32_t row, bool is_new, double value) {
     const auto i = static_cast<std::size_t>(is_new ? next[row]++ : next[row] - 1);
     result.rows[i] = static_cast<std::int32_t>(v);
@@ -70,9 +70,11 @@ mesh::UnionFind connected(const SparseMatrix& matrix) {
 SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free) {
   SparseMatrix lower;
   lower.starts.reserve(free.size() + 1);
-  lower.rows.reserve(matrix.rows.size()), lower.values.reserve(matrix.rows.size());
+  lower.rows.reserve(matrix.rows.size());
+  lower.values.reserve(matrix.rows.size());
   const auto add = [&](std::uint32_t row, double value) {
-    lower.rows.push_back(static_cast<std::int32_t>(row)), lower.values.push_back(value);
+    lower.rows.push_back(static_cast<std::int32_t>(row));
+    lower.values.push_back(value);
   };
   for (std::uint32_t v = 0; v < free.size(); ++v) {
     if (!free[v]) add(v, 1);

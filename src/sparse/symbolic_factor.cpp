@@ -34,7 +34,8 @@ public:
 private:
   // Row r of L has entries in these columns before r: the neighbours of r, and the neighbours' ancestors.
   void grow_tree(const FactorReport& report) {
-    parents_.assign(size(), no_parent), counts_.assign(size(), 0);
+    parents_.assign(size(), no_parent);
+    counts_.assign(size(), 0);
     std::vector<std::uint32_t> seen(size());
     for (std::uint32_t row = 0; row < size(); ++row) {
       if (report && row % 1024 == 0) report(0);
@@ -42,7 +43,8 @@ private:
       for_neighbours(row, [&](std::uint32_t at) {
         for (; at < row && seen[at] != row; at = parents_[at]) {
           parents_[at] = std::min(parents_[at], row);
-          seen[at] = row, ++counts_[at];
+          seen[at] = row;
+          ++counts_[at];
         }
       });
     }
@@ -66,7 +68,8 @@ private:
     const auto order = order_, parents = parents_, counts = counts_;
     for (std::uint32_t v = 0; v < size(); ++v) {
       const auto at = places[v];
-      order_[at] = order[v], counts_[at] = counts[v];
+      order_[at] = order[v];
+      counts_[at] = counts[v];
       parents_[at] = parents[v] == no_parent ? no_parent : places[parents[v]];
     }
     place_ = inverted(order_);
@@ -102,7 +105,8 @@ private:
     const auto all = static_cast<double>(both.entries());
     if (all - entries > share_of_zeros(both.columns) * all) return false;
     lower = both;
-    nodes_.pop_back(), entries_.pop_back();
+    nodes_.pop_back();
+    entries_.pop_back();
     entries_.back() = entries;
     return true;
   }
@@ -119,8 +123,10 @@ private:
 void place(SymbolicFactor& f) {
   std::size_t rows = 0;
   for (Supernode& node : f.supernodes) {
-    node.rows = rows, node.values = f.entries;
-    rows += node.below, f.entries += node.entries();
+    node.rows = rows;
+    node.values = f.entries;
+    rows += node.below;
+    f.entries += node.entries();
   }
   f.rows.resize(rows);
 }
@@ -167,7 +173,10 @@ mesh::Adjacency neighbours_of_unknowns(const SparseMatrix& matrix) {
   return mesh::make_adjacency(matrix.size(), [&](const auto& add) {
     for (std::uint32_t v = 0; v < matrix.size(); ++v) {
       for_column(matrix, v, [&](std::uint32_t row, double) {
-        if (row > v) add(row, v), add(v, row);
+        if (row > v) {
+          add(row, v);
+          add(v, row);
+        }
       });
     }
   });

@@ -207,7 +207,10 @@ Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double
 WeightSum sum_of(std::span<const double> weights) {
   const int shift = exponent_of(weights);
   double sum = 0, size = 0;
-  for (const double w : weights) sum += std::scalbn(w, -shift), size += std::abs(std::scalbn(w, -shift));
+  for (const double w : weights) {
+    sum += std::scalbn(w, -shift);
+    size += std::abs(std::scalbn(w, -shift));
+  }
   const bool is_rounding = std::abs(sum) <= 0x1p-53 * static_cast<double>(weights.size()) * size;
   return {shift, is_rounding ? 0 : sum};
 }
@@ -230,7 +233,8 @@ AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
     moved_enough |= turns < near_the_end && moves >= moved;
     m.converged = turned_enough && moved_enough;
     m.map = m.map * exp_affine(step);
-    turned = turns, moved = moves;
+    turned = turns;
+    moved = moves;
   }
   return m;
 }

@@ -53,7 +53,8 @@ template <class D, class V = hn::Vec<D>>
 static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]] V& b) {
 #if HWY_TARGET != HWY_SCALAR
   const V even = hn::OddEven(hn::DupEven(b), a), odd = hn::OddEven(b, hn::DupOdd(a));
-  a = even, b = odd;
+  a = even;
+  b = odd;
 #endif
 }
 
@@ -216,7 +217,9 @@ static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::si
   if (v.layout != Layout::full) return;
   for (; j < count; ++j) {
     T* m = v.plane[0] + 9 * (i + j);
-    m[3] = m[1], m[6] = m[2], m[7] = m[5];
+    m[3] = m[1];
+    m[6] = m[2];
+    m[7] = m[5];
   }
 }
 
@@ -435,7 +438,12 @@ static HWY_INLINE Six<V> six(const V (&s)[6]) {
 }
 template <class V>
 static HWY_INLINE void put_six(const Six<V>& m, V (&out)[6]) {
-  out[0] = m.xx, out[1] = m.xy, out[2] = m.xz, out[3] = m.yy, out[4] = m.yz, out[5] = m.zz;
+  out[0] = m.xx;
+  out[1] = m.xy;
+  out[2] = m.xz;
+  out[3] = m.yy;
+  out[4] = m.yz;
+  out[5] = m.zz;
 }
 template <class V>
 static HWY_INLINE Nine<V> nine(const V (&m)[9]) {
@@ -443,13 +451,21 @@ static HWY_INLINE Nine<V> nine(const V (&m)[9]) {
 }
 template <class V>
 static HWY_INLINE void put_nine(const Nine<V>& m, V* out) {
-  out[0] = m.xx, out[1] = m.xy, out[2] = m.xz;
-  out[3] = m.yx, out[4] = m.yy, out[5] = m.yz;
-  out[6] = m.zx, out[7] = m.zy, out[8] = m.zz;
+  out[0] = m.xx;
+  out[1] = m.xy;
+  out[2] = m.xz;
+  out[3] = m.yx;
+  out[4] = m.yy;
+  out[5] = m.yz;
+  out[6] = m.zx;
+  out[7] = m.zy;
+  out[8] = m.zz;
 }
 template <class V>
 static HWY_INLINE void put_three(const Three<V>& u, V (&out)[3]) {
-  out[0] = u.x, out[1] = u.y, out[2] = u.z;
+  out[0] = u.x;
+  out[1] = u.y;
+  out[2] = u.z;
 }
 
 }  // namespace viete::sym3::HWY_NAMESPACE

@@ -57,7 +57,9 @@ public:
       for_entries([](T& entry, auto& copy) { entry = copy; });
       for (std::size_t i = 0; i < count_ && all_.is_full(); ++i) {
         T* to = all_.data + (begin_ + i) * all_.layout.matrix_stride;
-        to[3] = to[1], to[6] = to[2], to[7] = to[5];
+        to[3] = to[1];
+        to[6] = to[2];
+        to[7] = to[5];
       }
     }
   }

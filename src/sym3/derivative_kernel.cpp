@@ -257,7 +257,10 @@ static HWY_INLINE void one_by(const F& f, const T* s, const T* direction, T* out
   const D d;
   V from[6], e[6], answer[6];
 #pragma GCC unroll 6
-  for (int k = 0; k < 6; ++k) from[k] = hn::LoadU(d, s + k), e[k] = hn::LoadU(d, direction + k);
+  for (int k = 0; k < 6; ++k) {
+    from[k] = hn::LoadU(d, s + k);
+    e[k] = hn::LoadU(d, direction + k);
+  }
   typename F::template Point<D> point;
   f.put_point(d, six(from), point);
   put_six(f.derivative(d, point, six(e)), answer);

@@ -78,7 +78,9 @@ static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V 
 #pragma GCC unroll 64
   for (int step = 0; step <= degree - 4; ++step) {
     const V next = NegMulAdd(minus_p, z1, MulAdd(q, z2, hn::Set(d, a[degree - 4 - step])));
-    z2 = z1, z1 = z0, z0 = next;
+    z2 = z1;
+    z1 = z0;
+    z0 = next;
     beside(step, z2);
   }
   return {z0, z1, z2};
@@ -146,7 +148,8 @@ struct ScalarExp {
   HWY_INLINE ScalarExp(D d, const Split<V>& m)
       : d(d), factor(hn::Set(d, C::scalar_exp[degree] * Table::lead)) {
     const Reduced<V> x = reduce(d, m.mean);
-    r = Add(x.r, m.rest), shifted = x.shifted;
+    r = Add(x.r, m.rest);
+    shifted = x.shifted;
   }
   HWY_INLINE void step(int step) {
     if (step < degree) {

@@ -47,12 +47,18 @@ template <class D, class V, class Scalar>
 static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpParts<V>& parts) {
   using C = ExpDerivativeTables<hn::TFromD<D>>;
   constexpr int degree = sizeof(C::matrix_exp) / sizeof(C::matrix_exp[0]) - 1;
-  parts.a = a, parts.c = adjugate(a), parts.minus_p = minus_p(parts.c);
+  parts.a = a;
+  parts.c = adjugate(a);
+  parts.minus_p = minus_p(parts.c);
   const V minus_p = parts.minus_p, q = determinant(a, parts.c);
   V u1 = hn::Set(d, C::matrix_exp[degree - 1]), u2 = hn::Set(d, C::matrix_exp[degree]), u3 = hn::Zero(d);
   V u0 = u1;
   const auto beside = [&](int step, const V& z2) HWY_ATTR __attribute__((always_inline)) {
-    if (step > 0) u3 = u2, u2 = u1, u1 = u0;
+    if (step > 0) {
+      u3 = u2;
+      u2 = u1;
+      u1 = u0;
+    }
     u0 = NegMulAdd(minus_p, u2, MulAdd(q, u3, z2));
     scalar.step(step);
   };
@@ -60,12 +66,16 @@ static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpPar
   const V factor = scalar.value();
   parts.z = times(parts.z, factor);
   const Coefficients<V>& z = parts.z;
-  parts.t0 = Sub(z.z0, z.z1), parts.t1 = Add(z.z1, z.z2);
+  parts.t0 = Sub(z.z0, z.z1);
+  parts.t1 = Add(z.z1, z.z2);
   parts.w = {Mul(z.z2, a.xx), Mul(z.z2, a.xy), Mul(z.z2, a.xz),
              Mul(z.z2, a.yy), Mul(z.z2, a.yz), Mul(z.z2, a.zz)};
-  parts.beside_x = Sub(z.z1, parts.w.xx), parts.beside_y = Sub(z.z1, parts.w.yy);
+  parts.beside_x = Sub(z.z1, parts.w.xx);
+  parts.beside_y = Sub(z.z1, parts.w.yy);
   parts.beside_z = Sub(z.z1, parts.w.zz);
-  parts.u0 = Mul(u0, factor), parts.u1 = Mul(u1, factor), parts.u2 = Mul(u2, factor),
+  parts.u0 = Mul(u0, factor);
+  parts.u1 = Mul(u1, factor);
+  parts.u2 = Mul(u2, factor);
   parts.u3 = Mul(u3, factor);
 }
 
@@ -118,17 +128,35 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
   };
   const V &x = m.beside_x, &y = m.beside_y, &z = m.beside_z, &z1 = m.z.z1;
   diagonal(a.xx, c.xx, f[0]);
-  add(f[0].xx, z1), add(f[0].yy, w.zz), subtract(f[0].yz, w.yz), add(f[0].zz, w.yy);
+  add(f[0].xx, z1);
+  add(f[0].yy, w.zz);
+  subtract(f[0].yz, w.yz);
+  add(f[0].zz, w.yy);
   off(a.xy, c.xy, f[1]);
-  add(f[1].xy, z), add(f[1].xz, w.yz), add(f[1].yz, w.xz), subtract(f[1].zz, hn::Add(w.xy, w.xy));
+  add(f[1].xy, z);
+  add(f[1].xz, w.yz);
+  add(f[1].yz, w.xz);
+  subtract(f[1].zz, hn::Add(w.xy, w.xy));
   off(a.xz, c.xz, f[2]);
-  add(f[2].xy, w.yz), add(f[2].xz, y), subtract(f[2].yy, hn::Add(w.xz, w.xz)), add(f[2].yz, w.xy);
+  add(f[2].xy, w.yz);
+  add(f[2].xz, y);
+  subtract(f[2].yy, hn::Add(w.xz, w.xz));
+  add(f[2].yz, w.xy);
   diagonal(a.yy, c.yy, f[3]);
-  add(f[3].xx, w.zz), subtract(f[3].xz, w.xz), add(f[3].yy, z1), add(f[3].zz, w.xx);
+  add(f[3].xx, w.zz);
+  subtract(f[3].xz, w.xz);
+  add(f[3].yy, z1);
+  add(f[3].zz, w.xx);
   off(a.yz, c.yz, f[4]);
-  subtract(f[4].xx, hn::Add(w.yz, w.yz)), add(f[4].xy, w.xz), add(f[4].xz, w.xy), add(f[4].yz, x);
+  subtract(f[4].xx, hn::Add(w.yz, w.yz));
+  add(f[4].xy, w.xz);
+  add(f[4].xz, w.xy);
+  add(f[4].yz, x);
   diagonal(a.zz, c.zz, f[5]);
-  add(f[5].xx, w.yy), subtract(f[5].xy, w.xy), add(f[5].yy, w.xx), add(f[5].zz, z1);
+  add(f[5].xx, w.yy);
+  subtract(f[5].xy, w.xy);
+  add(f[5].yy, w.xx);
+  add(f[5].zz, z1);
 }
 
 /// The data at S for all directions. Each lane has one S.

@@ -22,7 +22,8 @@ struct Exp {
     } else {
       Six<Two<V>> answer;
       if (!exp_quick(d, together(six(s[0]), six(s[1])), answer)) return false;
-      put_six(first(answer), e[0]), put_six(second(answer), e[1]);
+      put_six(first(answer), e[0]);
+      put_six(second(answer), e[1]);
     }
     return true;
   }

@@ -326,7 +326,9 @@ Matrix exp_taylor(const Matrix& m) {
   Real z0{}, z1{}, z2{};
   for (int k = terms - 1; k >= 0; --k) {
     const Real next = a[k] + p * z1 + q * z2;
-    z2 = z1, z1 = z0, z0 = next;
+    z2 = z1;
+    z1 = z0;
+    z0 = next;
   }
   return {z0 + z1 * m.xx + z2 * c.xx, z1 * m.xy + z2 * c.xy, z1 * m.xz + z2 * c.xz,
           z0 + z1 * m.yy + z2 * c.yy, z1 * m.yz + z2 * c.yz, z0 + z1 * m.zz + z2 * c.zz};

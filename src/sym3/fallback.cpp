@@ -136,7 +136,8 @@ void rotate(Matrix4& a, Matrix4& v, int p, int q) {
   const double t = 1 / (theta < 0 ? theta - root : theta + root), c = 1 / std::sqrt(1 + t * t), s = t * c;
   const auto turn = [c, s](double& x, double& y) {
     const double old = x;
-    x = c * old - s * y, y = s * old + c * y;
+    x = c * old - s * y;
+    y = s * old + c * y;
   };
   for (auto& row : a) turn(row[p], row[q]);
   for (int k = 0; k < n; ++k) turn(a[p][k], a[q][k]);
@@ -351,8 +352,12 @@ Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
   };
   const Axes v = axes_of(e);
   Sym3<double> g = in_axes(v, direction);
-  g.xx *= between(0, 0), g.xy *= between(0, 1), g.xz *= between(0, 2);
-  g.yy *= between(1, 1), g.yz *= between(1, 2), g.zz *= between(2, 2);
+  g.xx *= between(0, 0);
+  g.xy *= between(0, 1);
+  g.xz *= between(0, 2);
+  g.yy *= between(1, 1);
+  g.yz *= between(1, 2);
+  g.zz *= between(2, 2);
   return in_axes(transposed(v), g);
 }
 

@@ -132,7 +132,10 @@ Vec3<double> eigenvector(Mat3<double> m, double value) {
   double most = 0;
   for (int i = 0; i < 3; ++i) {
     const Vec3<double> v = cross(rows[i], rows[(i + 1) % 3]);
-    if (dot(v, v) > most) longest = v, most = dot(v, v);
+    if (dot(v, v) > most) {
+      longest = v;
+      most = dot(v, v);
+    }
   }
   return longest;
 }
@@ -152,7 +155,8 @@ std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
     const double left = std::hypot(t[3], t[6]);
     if (!(left < least)) break;
     const bool ends = left <= rounding && left > least / 2;
-    least = left, best = d;
+    least = left;
+    best = d;
     if (ends) break;
     const double a = t[4] - t[0], b = t[5], c = t[7], e = t[8] - t[0], det = a * e - b * c;
     v = product(d.axes, Vec3<double>{1, (b * t[6] - e * t[3]) / det, (c * t[3] - a * t[6]) / det});
@@ -222,12 +226,15 @@ Mat3<double> exp_of_apart(const Deflated& d, const Pair& pair) {
                root = std::sqrt(std::abs(pair.disc));
   double mean, slope;
   if (pair.turns()) {
-    mean = middle * std::cos(root), slope = middle * std::sin(root) / root;
+    mean = middle * std::cos(root);
+    slope = middle * std::sin(root) / root;
   } else if (root < 1) {
-    mean = middle * std::cosh(root), slope = root > 0 ? middle * std::sinh(root) / root : middle;
+    mean = middle * std::cosh(root);
+    slope = root > 0 ? middle * std::sinh(root) / root : middle;
   } else {
     const double high = std::exp(pair.middle + root), low = std::exp(pair.middle - root);
-    mean = (high + low) / 2, slope = (high - low) / (2 * root);
+    mean = (high + low) / 2;
+    slope = (high - low) / (2 * root);
   }
   return value_of({single, mean, slope, single - mean}, d, pair);
 }
@@ -255,7 +262,11 @@ Mat3<double> exp_general(const Mat3<double>& l) {
     if (const auto m = exp_of_apart(l, v)) return *m;
   }
   int squarings = 0;
-  for (; std::abs(p) > 2 || std::abs(q) > 4; ++squarings) scale /= 2, p /= 4, q /= 8;
+  for (; std::abs(p) > 2 || std::abs(q) > 4; ++squarings) {
+    scale /= 2;
+    p /= 4;
+    q /= 8;
+  }
   InPowers s = power_series(exp_terms, p, q);
   const double factor = std::exp(v.mean() * scale);
   s = {factor * s.a, factor * s.b, factor * s.c};
@@ -358,7 +369,9 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2 && m != Mat3<double>{};  // false for NaN
   Sym3<double>& x = s.parts.stretch;
   if (!s.whole) x = log_of_sizes(p.stretch);
-  x.xx += r.shift, x.yy += r.shift, x.zz += r.shift;
+  x.xx += r.shift;
+  x.yy += r.shift;
+  x.zz += r.shift;
   return s;
 }
 

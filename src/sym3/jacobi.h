@@ -133,14 +133,16 @@ void rotate(Rows<Real>& a, Rows<Real>& v, int p, int q) {
   const Real c = Real{1} / sqrt(Real{1} + t * t), s = t * c;
   const auto turn = [&](Real& x, Real& y) {
     const Real old = x;
-    x = c * old - s * y, y = s * old + c * y;
+    x = c * old - s * y;
+    y = s * old + c * y;
   };
   const int r = 3 - p - q;
   a[p][p] = a[p][p] - t * a[p][q];
   a[q][q] = a[q][q] + t * a[p][q];
   a[p][q] = a[q][p] = Real{};
   turn(a[r][p], a[r][q]);
-  a[p][r] = a[r][p], a[q][r] = a[r][q];
+  a[p][r] = a[r][p];
+  a[q][r] = a[r][q];
   for (auto& row : v) turn(row[p], row[q]);
 }
 

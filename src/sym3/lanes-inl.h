@@ -26,7 +26,12 @@ struct Six {
   HWY_INLINE Six(V xx, V xy, V xz, V yy, V yz, V zz) : xx(xx), xy(xy), xz(xz), yy(yy), yz(yz), zz(zz) {}
   HWY_INLINE Six(const Six& m) : Six(m.xx, m.xy, m.xz, m.yy, m.yz, m.zz) {}
   HWY_INLINE Six& operator=(const Six& m) {
-    xx = m.xx, xy = m.xy, xz = m.xz, yy = m.yy, yz = m.yz, zz = m.zz;
+    xx = m.xx;
+    xy = m.xy;
+    xz = m.xz;
+    yy = m.yy;
+    yz = m.yz;
+    zz = m.zz;
     return *this;
   }
 };

@@ -72,7 +72,8 @@ static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G]
   V det8[G], constant[G];
 #pragma GCC unroll 4
   for (int g = 0; g < G; ++g) {
-    det8[g] = hn::Mul(det[g], eight), constant[g] = hn::NegMulAdd(q[g], four, hn::Mul(n[g], n[g]));
+    det8[g] = hn::Mul(det[g], eight);
+    constant[g] = hn::NegMulAdd(q[g], four, hn::Mul(n[g], n[g]));
     x[g] = hn::Sqrt(hn::Mul(n[g], three));
   }
 #pragma GCC unroll 8
@@ -101,7 +102,9 @@ static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const 
   const V one = hn::Set(d, T(1)), half = hn::Set(d, T(0.5));
   const V y = hn::Mul(hn::MulSub(x, x, n), half);
   Six<V> w = gram(m);
-  w.xx = hn::Add(w.xx, y), w.yy = hn::Add(w.yy, y), w.zz = hn::Add(w.zz, y);
+  w.xx = hn::Add(w.xx, y);
+  w.yy = hn::Add(w.yy, y);
+  w.zz = hn::Add(w.zz, y);
   const Six<V> c = adjugate(w);
   const V det_w = sum_of_products(w.xx, c.xx, w.xy, c.xy, w.xz, c.xz);  // ((s1 + s2)(s1 + s3)(s2 + s3))^2
   const V inverse = hn::Div(one, det_w);
@@ -112,7 +115,9 @@ static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const 
       hn::Add(hn::Abs(hn::Sub(g.xx, one)), hn::Add(hn::Abs(hn::Sub(g.yy, one)), hn::Abs(hn::Sub(g.zz, one))));
   const V three_halves = hn::Set(d, T(1.5)), minus_half = hn::Neg(half);
   g = times(g, minus_half);
-  g.xx = hn::Add(g.xx, three_halves), g.yy = hn::Add(g.yy, three_halves), g.zz = hn::Add(g.zz, three_halves);
+  g.xx = hn::Add(g.xx, three_halves);
+  g.yy = hn::Add(g.yy, three_halves);
+  g.zz = hn::Add(g.zz, three_halves);
   const auto settled = hn::Le(hn::Add(on, off), hn::Set(d, T(sizeof(T) == 8 ? 1e-9 : 2e-5)));
   const auto in_range = hn::And(hn::Ge(n, hn::Set(d, T(sizeof(T) == 8 ? 1e-60 : 1e-8))),
                                 hn::Le(n, hn::Set(d, T(sizeof(T) == 8 ? 1e60 : 1e8))));
@@ -128,7 +133,8 @@ static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&ou
 #pragma GCC unroll 4
   for (int g = 0; g < G; ++g) {
     k[g] = cofactors(m[g]);
-    n[g] = squared_norm(m[g]), q[g] = squared_norm(k[g]);
+    n[g] = squared_norm(m[g]);
+    q[g] = squared_norm(k[g]);
     det[g] = sum_of_products(m[g].xx, k[g].xx, m[g].xy, k[g].xy, m[g].xz, k[g].xz);
   }
   traces_of_stretch<G>(d, n, det, q, x);

@@ -51,7 +51,9 @@ bool has_huge_eigenvalues(const Sym3<T>& s) {
 template <class T>
 Sym3<T> log_of_256_times(Sym3<T> log) {
   constexpr T more = T(5.545177444479562475337856971665412545);
-  log.xx += more, log.yy += more, log.zz += more;
+  log.xx += more;
+  log.yy += more;
+  log.zz += more;
   return log;
 }
 
@@ -62,7 +64,12 @@ Sym3<double> from_six(const T* in) {
 
 template <class T>
 void to_six(const Sym3<double>& s, T* out) {
-  out[0] = T(s.xx), out[1] = T(s.xy), out[2] = T(s.xz), out[3] = T(s.yy), out[4] = T(s.yz), out[5] = T(s.zz);
+  out[0] = T(s.xx);
+  out[1] = T(s.xy);
+  out[2] = T(s.xz);
+  out[3] = T(s.yy);
+  out[4] = T(s.yz);
+  out[5] = T(s.zz);
 }
 
 template <class T>

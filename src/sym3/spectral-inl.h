@@ -82,8 +82,10 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   Spectrum<V> e;
   V inverse;
   power_of_two_below(d, largest_entry(m.a), e.size, inverse);
-  e.matrix = times(m.a, inverse), e.adjugate = adjugate(e.matrix);
-  e.minus_p = minus_p(e.adjugate), e.q = determinant(e.matrix, e.adjugate);
+  e.matrix = times(m.a, inverse);
+  e.adjugate = adjugate(e.matrix);
+  e.minus_p = minus_p(e.adjugate);
+  e.q = determinant(e.matrix, e.adjugate);
   const V g2 = hn::Mul(hn::Neg(e.minus_p), hn::Set(d, T(1) / T(3))), g = hn::Sqrt(g2);
   const V sine3 =
       hn::Mul(hn::Sqrt(squared_minors(d, e.matrix, e.adjugate, e.minus_p)), hn::Set(d, T(1) / T(6)));

@@ -78,7 +78,10 @@ void command_palette(const Context& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
   ImGui::BeginChild("found", {0, std::max(3.0f, rows) * palette_row});
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (row(ui, *found[i], i, steps != 0)) chosen = found[i], palette.highlighted = i;
+    if (row(ui, *found[i], i, steps != 0)) {
+      chosen = found[i];
+      palette.highlighted = i;
+    }
   if (found.empty()) note(ui, "No command matches.");
   ImGui::EndChild();
   ImGui::PopStyleVar();

@@ -158,7 +158,8 @@ void context_menu(const Context& ui) {
     line |= !command;
     if (!command || !command->enabled(w)) continue;
     if (line && any) ImGui::Separator();
-    line = false, any = true;
+    line = false;
+    any = true;
     if (menu_item(ui, *command)) chosen = true;
   }
   if (!chosen) w.view.interaction.cursor = cursor;

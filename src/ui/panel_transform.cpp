@@ -29,8 +29,10 @@ void sets(const Context& ui) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string id = "set/" + std::to_string(i);
     if (const auto typed =
-            name_field(ui, id, all[i].name, width, "Name of the selection set. Type to rename it."))
-      renamed = i, name = *typed;
+            name_field(ui, id, all[i].name, width, "Name of the selection set. Type to rename it.")) {
+      renamed = i;
+      name = *typed;
+    }
     ImGui::SameLine(0, gap);
     if (button(ui, ("Select##" + id).c_str(), id + "/select", "Select this set. Shift adds, Ctrl removes.",
                {select_width, 0}))

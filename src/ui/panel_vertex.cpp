@@ -60,9 +60,14 @@ void partial_sums(const Context& ui, const VertexView& view) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float wide = ImGui::GetContentRegionAvail().x - right;
   double low = 0, high = 0;
-  for (const auto& term : view.terms)
-    low = std::min(low, term.eigenvalues[0]), high = std::max(high, term.eigenvalues[2]);
-  if (!(high - low > 1e-9)) low -= 0.01, high += 0.01;
+  for (const auto& term : view.terms) {
+    low = std::min(low, term.eigenvalues[0]);
+    high = std::max(high, term.eigenvalues[2]);
+  }
+  if (!(high - low > 1e-9)) {
+    low -= 0.01;
+    high += 0.01;
+  }
   const auto y_of = [&](double value) {
     return at.y + 4 + static_cast<float>((high - value) / (high - low)) * (height - 8);
   };

@@ -80,7 +80,12 @@ void dialog(const Context& ui) {
 }  // namespace
 
 void draw_panels(const Context& ui) {
-  if (ui.workspace.view.tools) torn_overlay(ui), probe_overlay(ui), hand_overlay(ui), gizmo_overlay(ui);
+  if (ui.workspace.view.tools) {
+    torn_overlay(ui);
+    probe_overlay(ui);
+    hand_overlay(ui);
+    gizmo_overlay(ui);
+  }
   vertex_overlay(ui);
   axis_overlay(ui);
   split_overlay(ui);

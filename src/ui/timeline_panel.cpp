@@ -35,20 +35,25 @@ void diamond(const Pen& pen, float x) {
 }
 
 void first_icon(const Pen& pen, bool) {
-  bar(pen, -0.9f), arrow(pen, 0.1f, -0.8f);
+  bar(pen, -0.9f);
+  arrow(pen, 0.1f, -0.8f);
 }
 void previous_key_icon(const Pen& pen, bool) {
-  diamond(pen, 0.8f), arrow(pen, -0.4f, -0.8f);
+  diamond(pen, 0.8f);
+  arrow(pen, -0.4f, -0.8f);
 }
 void play_icon(const Pen& pen, bool playing) {
   if (!playing) return arrow(pen, -0.15f, 1.1f);
-  bar(pen, -0.45f), bar(pen, 0.45f);
+  bar(pen, -0.45f);
+  bar(pen, 0.45f);
 }
 void next_key_icon(const Pen& pen, bool) {
-  diamond(pen, -0.8f), arrow(pen, 0.4f, 0.8f);
+  diamond(pen, -0.8f);
+  arrow(pen, 0.4f, 0.8f);
 }
 void last_icon(const Pen& pen, bool) {
-  bar(pen, 0.9f), arrow(pen, -0.1f, 0.8f);
+  bar(pen, 0.9f);
+  arrow(pen, -0.1f, 0.8f);
 }
 void key_icon(const Pen& pen, bool) {
   diamond(pen, 0);
@@ -222,12 +227,16 @@ void range(const Context& ui, float right) {
   document::Document& document = ui.workspace.document;
   document::Playing play = document.timeline();
   if (const auto first =
-          frame_field(ui, "From", "time/first", play.first, 44, "First frame of the playback range."))
-    play.first = *first, play.last = std::max(play.last, *first + 1);
+          frame_field(ui, "From", "time/first", play.first, 44, "First frame of the playback range.")) {
+    play.first = *first;
+    play.last = std::max(play.last, *first + 1);
+  }
   ImGui::SameLine(0, 8);
   if (const auto last =
-          frame_field(ui, "to", "time/last", play.last, 44, "Last frame of the playback range."))
-    play.last = *last, play.first = std::min(play.first, *last - 1);
+          frame_field(ui, "to", "time/last", play.last, 44, "Last frame of the playback range.")) {
+    play.last = *last;
+    play.first = std::min(play.first, *last - 1);
+  }
   document::set_play(document, play);
   const ToolPiece pieces[] = {{76, 8, [&] { rate_field(ui); }},
                               {92, 8,

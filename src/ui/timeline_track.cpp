@@ -110,7 +110,10 @@ std::optional<int> key_near(const Track& t, ImVec2 mouse) {
   const bool upper = mouse.y < 0.5f * (t.key_y() + t.camera_y());
   const auto look = [&](int frame) {
     const float distance = std::abs(t.x_of(frame) - mouse.x);
-    if (distance < nearest) nearest = distance, found = frame;
+    if (distance < nearest) {
+      nearest = distance;
+      found = frame;
+    }
   };
   const document::Timeline& timeline = t.ui.workspace.document.timeline();
   if (upper) {

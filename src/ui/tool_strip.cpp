@@ -40,7 +40,10 @@ void select_icon(const Pen& pen) {
 void move_icon(const Pen& pen) {
   pen.line(-0.8f, 0, 0.8f, 0);
   pen.line(0, -0.8f, 0, 0.8f);
-  head(pen, 1, 0, 1, 0), head(pen, -1, 0, -1, 0), head(pen, 0, 1, 0, 1), head(pen, 0, -1, 0, -1);
+  head(pen, 1, 0, 1, 0);
+  head(pen, -1, 0, -1, 0);
+  head(pen, 0, 1, 0, 1);
+  head(pen, 0, -1, 0, -1);
 }
 
 void rotate_icon(const Pen& pen) {

@@ -313,7 +313,10 @@ std::string wrapped(const std::string& text, float width) {
     const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
     const std::string word = text.substr(begin, end - begin);
     const float wide = ImGui::CalcTextSize(word.c_str()).x;
-    if (x > 0 && x + wide > width && lines.back() == ' ') lines.back() = '\n', x = 0;
+    if (x > 0 && x + wide > width && lines.back() == ' ') {
+      lines.back() = '\n';
+      x = 0;
+    }
     lines += word;
     x += wide + space;
     if (end < text.size()) lines += text[end];

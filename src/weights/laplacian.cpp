@@ -57,8 +57,10 @@ sparse::SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
       const Vec3 half = half_cotangents(positions[t[0]], positions[t[1]], positions[t[2]]);
       for (int k = 0; k < 3; ++k) {
         const auto i = t[(k + 1) % 3], j = t[(k + 2) % 3];
-        add(i, i, half[k]), add(j, j, half[k]);
-        add(i, j, -half[k]), add(j, i, -half[k]);
+        add(i, i, half[k]);
+        add(j, j, half[k]);
+        add(i, j, -half[k]);
+        add(j, i, -half[k]);
       }
     }
   });
@@ -124,8 +126,10 @@ public:
       if (h > twin_[h] || a == b) continue;
       const double w = weight(h) / sides_;
       if (w < least_weight) continue;
-      entries.push_back({a, a, w}), entries.push_back({b, b, w});
-      entries.push_back({a, b, -w}), entries.push_back({b, a, -w});
+      entries.push_back({a, a, w});
+      entries.push_back({b, b, w});
+      entries.push_back({a, b, -w});
+      entries.push_back({b, a, -w});
     }
     return sparse_matrix(vertices, entries);
   }
@@ -184,7 +188,8 @@ private:
       const std::size_t n = (s + 1) % around.size();
       if (sides_ == 1 && !around[s].forward) continue;
       const std::uint32_t h = half_edge(around[s], true), g = half_edge(around[n], false);
-      twin_[h] = g, twin_[g] = h;
+      twin_[h] = g;
+      twin_[g] = h;
     }
   }
 
@@ -237,10 +242,15 @@ private:
     const double length = std::hypot(c[0] - (length_[h] - d[0]), c[1] + d[1]);
     tail_[h] = tail_[ca];
     tail_[g] = tail_[db];
-    next_[h] = db, next_[db] = bc, next_[bc] = h;
-    next_[g] = ca, next_[ca] = ad, next_[ad] = g;
+    next_[h] = db;
+    next_[db] = bc;
+    next_[bc] = h;
+    next_[g] = ca;
+    next_[ca] = ad;
+    next_[ad] = g;
     length_[h] = length_[g] = length;
-    set_area(h), set_area(g);
+    set_area(h);
+    set_area(g);
   }
 
   std::uint32_t sides_ = 1;

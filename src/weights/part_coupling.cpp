@@ -240,7 +240,10 @@ Bodies bodies(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::s
   std::vector<std::uint32_t> number(n, none);
   for (std::uint32_t v = 0; v < n; ++v) {
     auto& body = number[sets.find(paths.part(v))];
-    if (body == none) body = static_cast<std::uint32_t>(result.shares.size()), result.shares.push_back(0);
+    if (body == none) {
+      body = static_cast<std::uint32_t>(result.shares.size());
+      result.shares.push_back(0);
+    }
     result.of_vertex.push_back(body);
     result.shares[body] += masses[v];
   }

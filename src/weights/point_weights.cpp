@@ -83,7 +83,10 @@ DistanceTriangle<float> in_float(const DistanceTriangle<double>& t) {
                    [](double v) { return static_cast<float>(v); });
   };
   for (int i = 0; i < 3; ++i) convert(t.axes[i], f.axes[i]);
-  for (int i = 0; i < 2; ++i) convert(t.along[i], f.along[i]), convert(t.inward[i], f.inward[i]);
+  for (int i = 0; i < 2; ++i) {
+    convert(t.along[i], f.along[i]);
+    convert(t.inward[i], f.inward[i]);
+  }
   convert(t.length, f.length);
   f.outside = static_cast<float>(t.outside);
   f.near = static_cast<float>(t.near);

@@ -46,7 +46,8 @@ std::vector<bool> in_small_parts(const mesh::Surface& model, std::span<const mes
   double all = 0;
   for (const auto& t : triangles) {
     const double area = mesh::area(model.positions, t);
-    areas[sets.find(t[0])] += area, all += area;
+    areas[sets.find(t[0])] += area;
+    all += area;
   }
   const double small = clusters_of_part * all / static_cast<double>(target);
   std::vector<bool> result(areas.size(), false), counted(areas.size(), false);
@@ -67,7 +68,8 @@ Cells cells_of(const mesh::Surface& model, std::span<const std::uint32_t> vertic
   Cells cells{box.diagonal() / 128, 0, {}};
   const auto divide = [&](double by) {
     cells.size /= by;
-    keys = keys_of(model, vertices, box.low, cells.size), occupied.clear();
+    keys = keys_of(model, vertices, box.low, cells.size);
+    occupied.clear();
     std::ranges::unique_copy(keys, std::back_inserter(occupied));  // files often list near vertices in a row
     std::ranges::sort(occupied);
     occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());

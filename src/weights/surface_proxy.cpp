@@ -44,8 +44,10 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 std::vector<std::uint64_t> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
   std::vector<std::uint64_t> sums(vertices, 0);
   for (const auto& [a, b, c] : triangles) {
-    for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}})
-      sums[i] += mixed(j + 1), sums[j] -= mixed(i + 1);
+    for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}}) {
+      sums[i] += mixed(j + 1);
+      sums[j] -= mixed(i + 1);
+    }
   }
   return sums;
 }
@@ -67,7 +69,10 @@ std::vector<std::uint32_t> owned_by_handles(const mesh::Surface& model,
   Bodies parts;
   for (const auto v : place) {
     auto& n = number[sets.find(v)];
-    if (n == none) n = static_cast<std::uint32_t>(parts.shares.size()), parts.shares.push_back(0);
+    if (n == none) {
+      n = static_cast<std::uint32_t>(parts.shares.size());
+      parts.shares.push_back(0);
+    }
     parts.of_vertex.push_back(n);
     parts.shares[n] += 1.0 / static_cast<double>(place.size());
   }
@@ -120,7 +125,8 @@ public:
         if (i != j) pairs.push_back(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j));
       if (corner) has_triangle[a] = has_triangle[b] = has_triangle[c] = true;
     }
-    sort_unique(met), sort_unique(cornered);
+    sort_unique(met);
+    sort_unique(cornered);
     std::vector<std::uint64_t> loose;
     std::ranges::set_difference(met, cornered, std::back_inserter(loose));
     std::vector<bool> coarse(level_.size(), false);
@@ -134,8 +140,10 @@ public:
     bool any = false;
     for (std::uint32_t v = 0; v < level_.size(); ++v) {
       const auto set = sets_.find(v);
-      if (masses_[v] > 0 && (coarse[set] || !has_triangle[set]) && level_[v] < most_halvings)
-        ++level_[v], any = true;
+      if (masses_[v] > 0 && (coarse[set] || !has_triangle[set]) && level_[v] < most_halvings) {
+        ++level_[v];
+        any = true;
+      }
     }
     return any;
   }
@@ -171,7 +179,10 @@ public:
     std::size_t count = 0;
     for (const auto& t : triangles_) {
       if (kept[parts.find(t[0])]) continue;
-      for (const auto v : t) count += !lost[v], lost[v] = true;
+      for (const auto v : t) {
+        count += !lost[v];
+        lost[v] = true;
+      }
     }
     return count;
   }
@@ -334,7 +345,8 @@ void SurfaceProxy::find_neighbours() {
     for (std::size_t k = 0; k < 3; ++k) {
       if (gathers && t[k] < first_gathered_) continue;  // the surface is interpolated as without small parts
       normals_[t[k]] = normals_[t[k]] + normal;
-      ring[t[k]].push_back(t[(k + 1) % 3]), ring[t[k]].push_back(t[(k + 2) % 3]);
+      ring[t[k]].push_back(t[(k + 1) % 3]);
+      ring[t[k]].push_back(t[(k + 2) % 3]);
     }
   }
   radii_.assign(p.size(), 0);
@@ -352,9 +364,11 @@ void SurfaceProxy::find_neighbours() {
     extent = std::max(extent, norm(model_.positions[v] - p[of_vertex_[v]]));
   }
   std::vector<std::uint32_t> seen(p.size(), none), found;
-  nearby_.clear(), starts_ = {0};
+  nearby_.clear();
+  starts_ = {0};
   for (std::uint32_t c = 0; c < p.size(); ++c) {
-    found = {c}, seen[c] = c;
+    found = {c};
+    seen[c] = c;
     std::size_t at = 0;
     for (int step = 0; step < rings; ++step) {
       for (const std::size_t end = found.size(); at < end; ++at) {
@@ -455,7 +469,8 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
     const double left = 1 - part;
     terms.push_back({c, left * left * left});
     normal = normal + terms.back().factor * normals_[c];
-    all += terms.back().factor, radius += terms.back().factor * radii_[c];
+    all += terms.back().factor;
+    radius += terms.back().factor * radii_[c];
   }
   const auto take_own = [&] { terms.assign(1, {own, 1}); };
   if (terms.size() < 3) return take_own();

@@ -199,7 +199,8 @@ private:
   // Writes the weights of a leaf to `rows`, which must be large enough. Writes the sums and shares to `w`.
   // Returns the number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
-    w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
+    w.sums.resize(slots(leaf));
+    w.shares.resize(slots(leaf));
     if (row_ || !surface_weights_.empty()) {
       gather(leaf, rows, w.sums);
       return 0;
@@ -269,8 +270,10 @@ private:
       double sum = 0;
       for (const auto& [cluster, factor] : terms) {
         auto& place = w.places[cluster];
-        if (place == none)
-          place = static_cast<std::uint32_t>(result.clusters.size()), result.clusters.push_back(cluster);
+        if (place == none) {
+          place = static_cast<std::uint32_t>(result.clusters.size());
+          result.clusters.push_back(cluster);
+        }
         result.terms.push_back({place, factor});
         sum += std::abs(factor);
       }

@@ -20,7 +20,9 @@ struct CheckState {
   bool pushed_out = false;             ///< the last change of the cage has increased `outside`
 
   void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
-    shown = finding, element = one, ++revision_;
+    shown = finding;
+    element = one;
+    ++revision_;
   }
   /// Increases when the findings or the highlighted elements change.
   unsigned long revision() const { return revision_; }

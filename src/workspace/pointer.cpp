@@ -210,7 +210,8 @@ void Pointer::hover(Workspace& w, const PointerInput& input) {
   interaction.crowded = false;
   interaction.cursor = free ? std::optional(input.position) : std::nullopt;
   if (free && (interaction.armed || shows_mask(w))) {
-    interaction.handle.reset(), interaction.hovered.reset();
+    interaction.handle.reset();
+    interaction.hovered.reset();
     if (!interaction.armed) interaction.brush = model_under(w, input.position);
     return;
   }
@@ -265,7 +266,8 @@ void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
     return w.messages.info("The selection must have two ends to " + std::string(name(shape)) + " it.");
   }
   const double depth = w.view.camera.depth(glm::vec3(in_view(w.document, grip.anchor.center)));
-  w.view.interaction.handle.reset(), w.view.interaction.hovered.reset();
+  w.view.interaction.handle.reset();
+  w.view.interaction.hovered.reset();
   w.view.interaction.drag.emplace(w.document, std::move(grip), tool, interact::Constraint{}, depth, press_,
                                   w.view.camera);
 }
@@ -478,7 +480,10 @@ void Pointer::release(Workspace& w, const PointerInput& input) {
   } else if (gesture_ == Gesture::on_axes) {
     const auto axes = axis_widget_of(w);
     const interact::AxisBall* ball = axes ? axes->ball(press_) : nullptr;
-    if (ball) look_from(w.view.camera, *ball), frame_all(w, true);
+    if (ball) {
+      look_from(w.view.camera, *ball);
+      frame_all(w, true);
+    }
   }
   finish(w, Gesture::none);
 }

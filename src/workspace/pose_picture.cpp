@@ -182,7 +182,10 @@ private:
     const int column = static_cast<int>(std::floor(x)), line = static_cast<int>(std::floor(y));
     if (column < 0 || line < 0 || column >= width_ || line >= height_) return;
     const std::size_t i = index(column, line);
-    if (z > depth_[i]) depth_[i] = z, tones_[i] = tone;
+    if (z > depth_[i]) {
+      depth_[i] = z;
+      tones_[i] = tone;
+    }
   }
 
   static PictureShape row(int begin, int end, int y, float tone) {

@@ -73,9 +73,7 @@ void select_by(Workspace& w) {
   w.view.interaction.hovered.reset();
 }
 
-}  // namespace
-
-void add_select_commands(CommandTable& table) {
+void add_edit_commands(CommandTable& table) {
   table.heading("Edit");
   table.add("undo", "Undo", "Undo the last edit.", {key('Z'), true}, can_undo, take_step<document::undo>)
       .of([](const Workspace& w) { return w.document.history().undo_label(); });
@@ -91,6 +89,12 @@ void add_select_commands(CommandTable& table) {
   table.add("preferences", "Preferences",
             "Set the interface scale, keymap and autosave, and restore recovered edits.", always,
             [](Workspace& w) { w.panels.show_preferences = true; });
+}
+
+}  // namespace
+
+void add_select_commands(CommandTable& table) {
+  add_edit_commands(table);
   table.heading("Select");
   table.add("select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage by clicking.",
             {key('1')}, no_drag_runs, select_by<document::ElementKind::vertex>);

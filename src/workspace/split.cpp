@@ -12,7 +12,8 @@ Pane pane_of(const Split& split, std::size_t view) {
 document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view) {
   document::Viewport seen = whole;
   const Pane pane = pane_of(split, view);
-  seen.pane = pane.at, seen.pane_size = pane.size;
+  seen.pane = pane.at;
+  seen.pane_size = pane.size;
   return seen;
 }
 

@@ -150,7 +150,10 @@ void change_play(Workspace& w, const auto& change) {
 
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline());
-  change_play(w, [&](document::Playing& play) { play.first = frames.front(), play.last = frames.back(); });
+  change_play(w, [&](document::Playing& play) {
+    play.first = frames.front();
+    play.last = frames.back();
+  });
   w.view.time.seen = fitting(w.document.timeline());
 }
 

@@ -6,7 +6,10 @@ namespace viete::workspace {
 
 FrameWindow fitting(const document::Timeline& timeline) {
   int low = timeline.first, high = timeline.last;
-  for (const int frame : key_frames(timeline)) low = std::min(low, frame), high = std::max(high, frame);
+  for (const int frame : key_frames(timeline)) {
+    low = std::min(low, frame);
+    high = std::max(high, frame);
+  }
   const double margin = 0.03 * (high - low) + 0.5;
   return {low - margin, high + margin};
 }

@@ -126,8 +126,15 @@ struct Saved {
   document::DocumentState state{};         ///< its pose is the real_pose(); empty for recovered edits
   bool recovered = false;                  ///< the document contains recovered edits that are not saved yet
 
-  void put_cage(std::shared_ptr<const pose::Cage> cage) { state.cage = std::move(cage), ++revision_; }
-  void put_pose(pose::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
+  void put_cage(std::shared_ptr<const pose::Cage> cage) {
+    state.cage = std::move(cage);
+    ++revision_;
+  }
+  void put_pose(pose::Pose pose) {
+    state.pose = std::move(pose);
+    recovered = false;
+    ++revision_;
+  }
   void reset() { revision_ = std::exchange(*this, {}).revision_ + 1; }
   /// Increases with each change.
   unsigned long revision() const { return revision_; }

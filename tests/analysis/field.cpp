@@ -17,7 +17,9 @@ analysis::FieldValues of_matrices(Field field, const Matrices& matrices,
                                   sym3::Method method = sym3::Method::fast,
                                   base::Progress* progress = nullptr) {
   analysis::FieldInput input{};
-  input.matrices = matrices, input.method = method, input.progress = progress;
+  input.matrices = matrices;
+  input.method = method;
+  input.progress = progress;
   return analysis::measure(field, input);
 }
 

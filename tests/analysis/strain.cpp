@@ -39,7 +39,9 @@ analysis::FieldValues measured(Field field, const mesh::Surface& rest, const std
   const analysis::Strain strain(rest);
   base::WorkerPool pool(threads);
   analysis::FieldInput input{};
-  input.strain = &strain, input.drawn = drawn, input.pool = &pool;
+  input.strain = &strain;
+  input.drawn = drawn;
+  input.pool = &pool;
   return analysis::measure(field, input);
 }
 
@@ -107,7 +109,10 @@ TEST_CASE("differences_are_from_the_first_view_and_signed_along_its_normals") {
   const analysis::Strain strain(rest);
   base::WorkerPool pool(2);
   analysis::FieldInput input{};
-  input.strain = &strain, input.first = first, input.drawn = drawn, input.pool = &pool;
+  input.strain = &strain;
+  input.first = first;
+  input.drawn = drawn;
+  input.pool = &pool;
   const auto along = analysis::measure(Field::signed_difference, input);
   for (const float value : along.values)
     CHECK(double(value) * strain.diagonal() == doctest::Approx(-0.2).epsilon(1e-6));

@@ -24,7 +24,8 @@ struct Desk {
   explicit Desk(bool remembers = true) { begin(remembers); }
   void begin(bool remembers = true) {
     desk.reset();
-    std::destroy_at(&workspace), std::construct_at(&workspace);  // avoids a wrong warning of GCC 12
+    std::destroy_at(&workspace);
+    std::construct_at(&workspace);  // avoids a wrong warning of GCC 12
     desk.emplace(remembers ? state : std::filesystem::path(), workspace);
   }
   void frame(bool no_drag = true) {

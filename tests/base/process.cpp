@@ -36,7 +36,8 @@ TEST_CASE("fork_waits_for_other_threads_and_not_for_its_own") {
     while (!stop) {
       const ForkDelay delay;
       ++half;
-      begun = true, begun.notify_all();
+      begun = true;
+      begun.notify_all();
       for (int i = 0; i < 10'000; ++i) half.load();
       ++half;
     }

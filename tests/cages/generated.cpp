@@ -106,8 +106,11 @@ TEST_CASE("repeated_corners_and_duplicate_faces_do_not_slow_cage_making") {
       s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     };
     for (std::size_t i = 0; i < copies; ++i) add({0, 3, 2, 1}, rounds);
-    add({4, 5, 6, 7}, 1), add({0, 1, 5, 4}, 1), add({1, 2, 6, 5}, 1), add({2, 3, 7, 6}, 1),
-        add({3, 0, 4, 7}, 1);
+    add({4, 5, 6, 7}, 1);
+    add({0, 1, 5, 4}, 1);
+    add({1, 2, 6, 5}, 1);
+    add({2, 3, 7, 6}, 1);
+    add({3, 0, 4, 7}, 1);
     mesh::triangulate(s);
     return s;
   };

@@ -6,8 +6,8 @@
 
 #include "deform/exact.h"
 #include "deform/frame_deformer.h"
-#include "support/caged_shapes.h"
 #include "pose/deformer.h"
+#include "support/caged_shapes.h"
 #include "weights/bind.h"
 #include "weights/binding.h"
 
@@ -110,15 +110,18 @@ struct Frames {
 
   void set_mask(const Mask& mask_) {
     mask = mask_;
-    staged.deformer.set_mask(mask), fused.set_mask(mask);
+    staged.deformer.set_mask(mask);
+    fused.set_mask(mask);
   }
   void set_shape(const SharedShape& shape_) {
     shape = shape_;
-    staged.deformer.set_shape(shape), fused.set_shape(shape);
+    staged.deformer.set_shape(shape);
+    fused.set_shape(shape);
   }
   void set_probes(const Probes& probes_) {
     probes = probes_;
-    staged.deformer.set_probes(probes), fused.set_probes(probes);
+    staged.deformer.set_probes(probes);
+    fused.set_probes(probes);
   }
 
   /// Returns the exact result, and checks that all engines agree with it.

@@ -166,7 +166,8 @@ TEST_CASE("rotating_model_cage_and_pose_rotates_the_result") {
   const auto pose = shaken(cage, 0.15).positions;
   auto deformers = valid_deformers();
   deformers.push_back(default_deformer());
-  deformers.back().iterations = 1, deformers.back().holding = {0.2, 0.1};
+  deformers.back().iterations = 1;
+  deformers.back().holding = {0.2, 0.1};
   base::WorkerPool pool(2);
   for (Deformer deformer : deformers) {
     CAPTURE(text(deformer));

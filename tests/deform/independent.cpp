@@ -207,7 +207,10 @@ void choose_turns(std::vector<Element>& elements, const Lists& around, const Vec
   for (int turns = -2; turns <= 2; ++turns) {
     auto [logs, distance] =
         follow(elements, around, plus(first, first, turns * whole_turn / length(first)), reference);
-    if (distance < least) least = distance, best = std::move(logs);
+    if (distance < least) {
+      least = distance;
+      best = std::move(logs);
+    }
   }
   for (std::size_t j = 0; j < elements.size(); ++j) elements[j].turn = best[j];
 }

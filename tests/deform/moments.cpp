@@ -90,7 +90,8 @@ TEST_CASE("fitted_maps_of_thin_collapsed_and_mirrored_cages_are_finite_in_both_e
     Frames e(limb(), limb_cage(), deformer);
     // Several rotations may be possible. All of them preserve lengths.
     const double size = mesh::bounds(e.staged.model.positions).diagonal(), limit = 2 * size + 10;
-    check(e, e.staged.pose(dot), limit), check(e, e.staged.pose(line), limit);
+    check(e, e.staged.pose(dot), limit);
+    check(e, e.staged.pose(line), limit);
     check(e, e.staged.pose(mirror), limit);
     if (deformer.blend == Blend::mls_affine) CHECK(e.staged.error(mirror) < 1e-12);
     Frames thin(limb(), box({0.5, 0.5, 1e-5}), deformer);

@@ -37,7 +37,8 @@ mesh::Surface prism(const std::vector<std::array<double, 2>>& ring) {
     for (const auto& [x, y] : ring) positions.push_back({x, y, z});
   Faces faces(2);
   for (std::uint32_t i = 0; i < n; ++i) {
-    faces[0].insert(faces[0].begin(), i), faces[1].push_back(n + i);
+    faces[0].insert(faces[0].begin(), i);
+    faces[1].push_back(n + i);
     faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
   }
   return polygons(std::move(positions), faces);
@@ -47,7 +48,8 @@ mesh::Surface prism(const std::vector<std::array<double, 2>>& ring) {
 std::vector<mesh::Surface> polygon_cages() {
   const mesh::Surface cube = moved(test::cube(), 1.2);
   auto faces = faces_of(cube);
-  faces[0] = {0, 2, 3, 1, 8}, faces[2] = {0, 8, 1, 5, 4};
+  faces[0] = {0, 2, 3, 1, 8};
+  faces[2] = {0, 8, 1, 5, 4};
   auto positions = cube.positions;
   positions.push_back({0, -1.2, -1.2});
   return {cube, polygons(positions, faces),
@@ -215,7 +217,8 @@ TEST_CASE("models_of_bent_polygons_deform_symmetrically_whatever_their_first_cor
     };
     check(halfway);
     auto deformers = every_deformer();
-    deformers.push_back(deformer_of(Preset::arap)), deformers.back().iterations = 3;
+    deformers.push_back(deformer_of(Preset::arap));
+    deformers.back().iterations = 3;
     for (const Deformer& deformer : deformers) {
       CAPTURE(text(deformer));
       check([&](const mesh::Surface& s) { return deformed(s, cage, pose, deformer); });
@@ -280,7 +283,8 @@ TEST_CASE("a_symmetric_model_and_cage_in_a_symmetric_pose_deform_symmetrically")
   auto pose = cage.positions;
   for (auto& p : pose)
     p = {p[0] * (1 + 0.3 * p[1]), p[1] + 0.4 * p[2] * p[2] * p[1], p[2] + 0.5 * p[0] * p[0]};
-  pose[2] = pose[2] + Vec3{0.2, 0.5, -0.3}, pose[3] = pose[3] + Vec3{-0.2, 0.5, -0.3};  // mirror images
+  pose[2] = pose[2] + Vec3{0.2, 0.5, -0.3};
+  pose[3] = pose[3] + Vec3{-0.2, 0.5, -0.3};  // mirror images
   for (const int levels : {2, 3, 4}) {
     const mesh::Surface ball = test::sphere(levels);
     const auto image = [](const Vec3& p) { return Vec3{-p[0], p[1], p[2]}; };

@@ -76,7 +76,9 @@ TEST_CASE("a_model_with_full_weight_follows_the_map_of_its_probe") {
 
 TEST_CASE("probes_act_by_their_weights") {
   Probe p = probe_at({0.1, 0, 0.2}, within(1));
-  p.turn = within(1.3, Falloff::linear), p.stretch = within(0.8, Falloff::sharp), p.move = within(0.6);
+  p.turn = within(1.3, Falloff::linear);
+  p.stretch = within(0.8, Falloff::sharp);
+  p.move = within(0.6);
   p.pose = strong();
   const auto positions = moved_by({{p}});
   for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -168,7 +170,8 @@ TEST_CASE("probes_do_not_depend_on_position_or_unit_of_the_scene") {
   auto positions = probed_tube().positions;
   for (Vec3& x : positions) x = unit * (x + away);
   for (Probe& p : other.all) {
-    p.place = unit * (p.place + away), p.pose.move = unit * p.pose.move;
+    p.place = unit * (p.place + away);
+    p.pose.move = unit * p.pose.move;
     for (const auto part : {&Probe::turn, &Probe::stretch, &Probe::move}) (p.*part).radius *= unit;
   }
   const auto there = moved_by(other, positions);

@@ -79,7 +79,8 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
     const auto first = static_cast<std::uint32_t>(p.size());
     for (int i = 0; i < 3; ++i) {
       const Vec3 &a = surface.positions[face[i]], &b = surface.positions[face[(i + 1) % 3]];
-      p.push_back(a), p.push_back(0.5 * (a + b));
+      p.push_back(a);
+      p.push_back(0.5 * (a + b));
     }
     p.push_back((1.0 / 3) * (p[first] + p[first + 2] + p[first + 4]));
     for (std::uint32_t i = 0; i < 6; ++i) t.push_back({first + 6, first + i, first + (i + 1) % 6});

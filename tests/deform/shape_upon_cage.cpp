@@ -66,7 +66,8 @@ TEST_CASE("vertices_that_do_not_follow_the_cage_keep_the_shape") {
   Frames f = shaped_frames({faces});
   const SharedShape shape = bent(f.staged.model);
   const Mask mask = half_of_it(f.staged.model);
-  f.set_mask(mask), f.set_shape(shape);
+  f.set_mask(mask);
+  f.set_shape(shape);
   const auto posed = f.deform(f.staged.pose([](const Vec3& x) { return x + Vec3{1, 2, 3}; }));
   for (std::size_t i = 0; i < posed.size(); ++i)
     CHECK(norm(posed[i] - ((*shape)[i] + double((*mask)[i]) * Vec3{1, 2, 3})) < 1e-12);

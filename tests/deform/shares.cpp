@@ -112,7 +112,8 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_eve
       const double preset = norm(posed[i] - f.staged.model.positions[i]);
       if (shares[i] == 0) CHECK(preset < 1e-15);
       if (shares[i] > 0.5) CHECK(preset > 0.01);
-      staying += shares[i] == 0, partly += shares[i] > 0 && shares[i] < 1;
+      staying += shares[i] == 0;
+      partly += shares[i] > 0 && shares[i] < 1;
     }
     CHECK(staying > 20);
     CHECK(partly > 20);

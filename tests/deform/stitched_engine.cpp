@@ -97,7 +97,8 @@ TEST_CASE("a_stitched_drag_is_a_full_frame") {
       dragged.deform(pose);
     }
     dragged.fused.end_drag();
-    dragged.fused.deform(pose, fast), whole.fused.deform(pose, fast);
+    dragged.fused.deform(pose, fast);
+    whole.fused.deform(pose, fast);
     CHECK(dragged.fused.positions() == whole.fused.positions());
   }
 }
@@ -128,14 +129,16 @@ TEST_CASE("without_a_stitching_a_stitched_deformer_falls_back_to_blending_with_i
   for (const Mask& mask : {none, half}) {
     Frames f = stitched_frames(stitched_srl()), blended = stitched_frames({});
     const Pose pose = f.staged.pose(stitched_twist);
-    f.set_mask(mask), blended.set_mask(mask);
+    f.set_mask(mask);
+    blended.set_mask(mask);
     const auto tiles = std::make_shared<const Binding>(f.fused.binding());
     FrameDeformer waiting(f.staged.cage, tiles, f.deformer, f.staged.pool);
     CHECK(!waiting.engine(fast));
     waiting.set_mask(mask);
     waiting.deform(pose, fast);
     CHECK(waiting.ran() == EngineKind::fused);
-    f.deform(pose), blended.deform(pose);
+    f.deform(pose);
+    blended.deform(pose);
     CHECK(waiting.positions() == blended.fused.positions());
     // The sampled error of a stitched frame is the error of the blended positions before stitching.
     CHECK(f.fused.sampled_error() > 0);

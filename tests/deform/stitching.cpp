@@ -184,7 +184,8 @@ TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangl
   for (int i = 0; i < 3; ++i) model.triangles.erase(model.triangles.begin() + 5 * i);
   const auto stray = std::uint32_t(model.positions.size());
   model.positions.push_back({0.2, 0.1, 0.3});  // has no triangle
-  model.positions.push_back({0.3, 0.1, 0.3}), model.positions.push_back({0.4, 0.1, 0.3});
+  model.positions.push_back({0.3, 0.1, 0.3});
+  model.positions.push_back({0.4, 0.1, 0.3});
   model.positions.push_back({0.5, 0.1, 0.3});
   model.triangles.push_back({stray + 1, stray + 2, stray + 3});  // a separate line
   model.positions.push_back(model.positions[0]);

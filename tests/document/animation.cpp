@@ -48,7 +48,10 @@ TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
 TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
   Keyed k;
   pose::Pose sheared = turned_cube(0), turned;
-  for (auto& p : sheared.positions) p[0] += 0.5 * p[1], p[1] += 0.25 * p[2];
+  for (auto& p : sheared.positions) {
+    p[0] += 0.5 * p[1];
+    p[1] += 0.25 * p[2];
+  }
   turned = sheared;
   turned.turns[0] = {0, 0, 2 * std::numbers::pi};
   const Animation a = k.animation(two_keys(sheared, turned));

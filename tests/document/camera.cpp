@@ -52,7 +52,8 @@ TEST_CASE("framed_points_fit_the_uncovered_free_part_of_the_window_and_nearly_fi
       glm::vec2 low(1e9f), high(-1e9f);
       for (const auto& p : points) {
         const glm::vec2 at = pixel(camera, beside_panel, p);
-        low = glm::min(low, at), high = glm::max(high, at);
+        low = glm::min(low, at);
+        high = glm::max(high, at);
       }
       CHECK(low.x >= 320);
       CHECK(high.x <= 1000);

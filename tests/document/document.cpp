@@ -149,7 +149,10 @@ TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
   for (int i = 0; i < 100; ++i) h.record_selection(state(2));
   int steps = 0;
   DocumentState now = state(2);
-  while (h.can_undo() && h.undo_label() == "select") now = h.undo(now), ++steps;
+  while (h.can_undo() && h.undo_label() == "select") {
+    now = h.undo(now);
+    ++steps;
+  }
   CHECK(steps < 20);
   REQUIRE(h.undo_label() == "two");
   now = h.undo(now);

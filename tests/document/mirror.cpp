@@ -24,7 +24,8 @@ TEST_CASE("vertices_of_a_cube_are_partners_across_every_axis") {
 TEST_CASE("the_plane_of_a_turned_or_moved_cage_pairs_all_of_it") {
   mesh::Surface surface = test::cube(1);
   for (auto& p : surface.positions) {
-    p[1] *= 2, p[2] *= 3;
+    p[1] *= 2;
+    p[2] *= 3;
     p = {0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]};
   }
   const auto mirror = mirror_of(pose::make_cage(surface), MirrorPlane::fit);

@@ -68,7 +68,9 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   CHECK(w.document.selection() == vertices({7}));
   undo(w.document);
   // Drags a vertex and returns it to its place. Only the selection changes.
-  mouse.begin(from, from + 30.0f), mouse.move(from), mouse.release();
+  mouse.begin(from, from + 30.0f);
+  mouse.move(from);
+  mouse.release();
   CHECK(w.document.selection() == vertices({7}));
   CHECK(w.document.history().undo_label() == "select");
   undo(w.document);

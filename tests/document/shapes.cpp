@@ -106,7 +106,10 @@ struct BarFiles : test::TemporaryFolder {
 
 // A bar that is open, with two shapes in the list.
 struct BentBar : BarFiles {
-  BentBar() { open(), add_bends(); }
+  BentBar() {
+    open();
+    add_bends();
+  }
 };
 
 }  // namespace

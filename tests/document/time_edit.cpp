@@ -137,7 +137,8 @@ TEST_CASE("a_camera_key_takes_the_short_way_from_the_one_before") {
 TEST_CASE("a_turntable_is_one_whole_turn_at_an_even_speed_and_one_edit") {
   for (const auto& [first, last] : {std::array{1, 60}, {-3, 4}, {10, 11}}) {
     Timed t;
-    t.timeline().first = first, t.timeline().last = last;
+    t.timeline().first = first;
+    t.timeline().last = last;
     set_camera_key(t.document, first, {.distance = 77});
     const Timeline before = t.timeline();
     const CameraPose camera{{0, 1, 0}, 5, 2.5f, 0.4f};

@@ -32,8 +32,10 @@ EasedKeys all_easings_in_turn() {
   const Easing all[] = {Easing::smooth, Easing::smooth, Easing::constant_speed,
                         Easing::smooth, Easing::hold,   Easing::smooth};
   int frame = -7;
-  for (const Easing easing : all)
-    n.add(frame, frame * 1.7 - (frame % 3) * 20, easing), frame += 2 + std::abs(frame % 5);
+  for (const Easing easing : all) {
+    n.add(frame, frame * 1.7 - (frame % 3) * 20, easing);
+    frame += 2 + std::abs(frame % 5);
+  }
   return n;
 }
 
@@ -133,7 +135,9 @@ TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
 
 TEST_CASE("playing_goes_by_seconds_and_ends_loops_or_turns_round") {
   Timeline t;
-  t.first = 11, t.last = 31, t.rate = 10;
+  t.first = 11;
+  t.last = 31;
+  t.rate = 10;
   bool backward = false;
   t.repeat = Repeat::once;
   CHECK(*played(t, 11, 0.5, backward) == doctest::Approx(16));

@@ -84,7 +84,9 @@ TEST_CASE("numbered_frames_are_the_model_as_each_pose_deforms_it_to_the_bit") {
   for (const char* extension : {"ply", "obj", "off"}) {
     CAPTURE(extension);
     AnimationExport what = animation_export_of(cube.document, cube / (std::string("f_##.") + extension));
-    what.first = 3, what.last = 11, what.step = 4;
+    what.first = 3;
+    what.last = 11;
+    what.step = 4;
     what.model.digits.kind = formats::Digits::Kind::all;
     const AnimationReport report = write_animation(what);
     CHECK(report.frames == 3);

@@ -229,7 +229,8 @@ TEST_CASE(
   CHECK(has_unsaved_edits(other_blend));
 
   asked = {};
-  asked.arap = true, asked.iterations = 2;
+  asked.arap = true;
+  asked.iterations = 2;
   Workspace stitched;
   REQUIRE(test::open_now(stitched, {What::model, {files / "a.viete"}, asked}));
   CHECK(stitched.document.deformer().iterations == 2);

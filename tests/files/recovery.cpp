@@ -88,7 +88,11 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
 
 TEST_CASE("times_are_told_with_their_day") {
   std::tm noon{};
-  noon.tm_year = 126, noon.tm_mon = 4, noon.tm_mday = 3, noon.tm_hour = 12, noon.tm_min = 5,
+  noon.tm_year = 126;
+  noon.tm_mon = 4;
+  noon.tm_mday = 3;
+  noon.tm_hour = 12;
+  noon.tm_min = 5;
   noon.tm_isdst = -1;
   CHECK(when(std::mktime(&noon)) == "May 03, 12:05");
 }

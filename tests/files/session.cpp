@@ -94,7 +94,11 @@ Workspace animated(const test::CubeFiles& files) {
   t.keys[2].mix = {{"wide", -0.37}, {"with probe", 1.5}};
   t.unkeyed = {test::key(9, test::turned_cube(-30)), {3, test::whole(test::turned_cube(400), {motion})}};
   t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
-  t.first = -4, t.last = 90, t.rate = 29.97, t.repeat = Repeat::ping_pong, t.linear = true;
+  t.first = -4;
+  t.last = 90;
+  t.rate = 29.97;
+  t.repeat = Repeat::ping_pong;
+  t.linear = true;
   w.document.put_frame(7.25);
   return w;
 }
@@ -128,7 +132,10 @@ void check_same(const Workspace& a, const Workspace& b) {
   Timeline s = a.document.timeline(), t = b.document.timeline();
   CHECK(same_keys(s.keys, t.keys));
   CHECK(same_keys(s.unkeyed, t.unkeyed));
-  s.keys.clear(), s.unkeyed.clear(), t.keys.clear(), t.unkeyed.clear();
+  s.keys.clear();
+  s.unkeyed.clear();
+  t.keys.clear();
+  t.unkeyed.clear();
   CHECK(s == t);
   CHECK(a.document.frame() == b.document.frame());
 }
@@ -411,7 +418,8 @@ TEST_CASE("every_deformer_is_kept_and_a_session_may_name_any_part_of_one") {
   CHECK(read_json(files / "a.viete")["radius"] == 29);
   pose::Deformer stitched = pose::default_deformer();
   for (const int iterations : {0, 1, pose::most_iterations}) {
-    stitched.iterations = iterations, stitched.holding = {0.29, 0.07};
+    stitched.iterations = iterations;
+    stitched.holding = {0.29, 0.07};
     check_kept(stitched);
   }
   const auto deformer = [&](const std::string& keys) {

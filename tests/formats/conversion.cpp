@@ -126,9 +126,11 @@ TEST_CASE("conversion_names_comments_headers_attributes_extras_and_extensions") 
   CHECK(left_out("solid part 7\n" + facet, "stl", "a.obj") == "name of the solid");
   CHECK(left_out("solid\n" + facet, "stl", "a.obj").empty());
   std::string binary(84 + 50, '\0');
-  binary[80] = 1, binary[84 + 24] = binary[84 + 40] = '\x40';
+  binary[80] = 1;
+  binary[84 + 24] = binary[84 + 40] = '\x40';
   CHECK(left_out(binary, "stl", "a.obj").empty());
-  binary[0] = 'x', binary[84 + 48] = 1;
+  binary[0] = 'x';
+  binary[84 + 48] = 1;
   CHECK(left_out(binary, "stl", "a.obj") == "header, attributes of triangles");
   test::GltfParts parts = test::patch();
   parts.json["asset"]["copyright"] = "someone";

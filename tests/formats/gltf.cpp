@@ -410,7 +410,10 @@ TEST_CASE("instancing_is_limited") {
   const std::size_t positions = parts.accessor(many, 5126, "VEC3", 3);
   parts.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", positions}}}}}}}};
   GltfJson nodes = GltfJson::array(), all = GltfJson::array();
-  for (int i = 0; i < 200; ++i) nodes.push_back({{"mesh", 0}}), all.push_back(i);
+  for (int i = 0; i < 200; ++i) {
+    nodes.push_back({{"mesh", 0}});
+    all.push_back(i);
+  }
   parts.json["nodes"] = nodes;
   parts.json["scenes"][0]["nodes"] = all;
   CHECK(holds(test::refusal(parts.glb(), "glb"), "more than 4 million vertices"));

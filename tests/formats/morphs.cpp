@@ -108,7 +108,10 @@ std::vector<Point> of_patch(const std::vector<Point>& p) {
 GltfParts weighed_patch() {
   GltfParts p = test::patch();
   std::vector<float> lift, lean;
-  for (int i = 0; i < 8; ++i) lift.insert(lift.end(), {0, 1, 0}), lean.insert(lean.end(), {0.3F, 0, -0.2F});
+  for (int i = 0; i < 8; ++i) {
+    lift.insert(lift.end(), {0, 1, 0});
+    lean.insert(lean.end(), {0.3F, 0, -0.2F});
+  }
   std::vector<std::int16_t> back(24, 0);
   for (std::size_t i = 0; i < 24; i += 3) back[i] = -32767;
   const std::size_t up = p.accessor(lift, 5126, "VEC3", 3), leaning = p.accessor(lean, 5126, "VEC3", 3);
@@ -160,7 +163,8 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
 TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   GltfParts parts = test::patch();
   std::vector<float> open(24, 0);
-  open[3] = -1, open[0] = 1;  // exchanges vertices 0 and 1; vertex 4 stays at x = 1
+  open[3] = -1;
+  open[0] = 1;  // exchanges vertices 0 and 1; vertex 4 stays at x = 1
   const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   parts.json["meshes"][0]["weights"] = {0.5};

@@ -70,19 +70,29 @@ Maker rich_ply(Maker::Form form) {
          "list uchar int vertex_indices\r\nproperty float nx\r\nproperty float ny\r\nproperty float "
          "nz\r\nelement edge 2\r\nproperty int vertex1\r\nproperty int vertex2\r\nend_header\r\n");
   m.body_begins();
-  for (int i = 0; i < 2; ++i)
-    m.put<std::uint8_t>(2), m.put(0.5F), m.put(1e-20F), m.put<std::int16_t>(-7), m.end_row();
+  for (int i = 0; i < 2; ++i) {
+    m.put<std::uint8_t>(2);
+    m.put(0.5F);
+    m.put(1e-20F);
+    m.put<std::int16_t>(-7);
+    m.end_row();
+  }
   for (int v = 0; v < 16; ++v) {
     const double x = v % 4 + 0.25, y = v / 4 + 0.5, z = 0.125 * x * y;
     const double length = std::hypot(0.125 * y, 0.125 * x, 1);
     m.put<std::uint8_t>(static_cast<std::uint8_t>(v));
-    m.put(x, true), m.put(static_cast<float>(z), true), m.put(y, true);
+    m.put(x, true);
+    m.put(static_cast<float>(z), true);
+    m.put(y, true);
     m.put<std::uint16_t>(40000);
     for (const double n : {-0.125 * y, -0.125 * x, 1.0}) m.put(static_cast<float>(n / length), true);
     for (const float t : {1.0F, 0.0F, 0.0F}) m.put(t, true);
     for (const int c : {255, 0, v}) m.put(static_cast<std::uint8_t>(c));
-    m.put(static_cast<float>(x / 4)), m.put(static_cast<float>(y / 4));
-    m.put<std::uint32_t>(1), m.put<std::int8_t>(-3), m.end_row();
+    m.put(static_cast<float>(x / 4));
+    m.put(static_cast<float>(y / 4));
+    m.put<std::uint32_t>(1);
+    m.put<std::int8_t>(-3);
+    m.end_row();
   }
   for (int f = 0; f < 10; ++f) {
     const int corner = f % 3 + 4 * (f / 3);
@@ -94,7 +104,12 @@ Maker rich_ply(Maker::Form form) {
     for (const float n : {0.0F, 0.0F, 1.0F}) m.put(n, f < 9);
     m.end_row();
   }
-  m.put(0), m.put(1), m.end_row(), m.put(2), m.put(3), m.end_row();
+  m.put(0);
+  m.put(1);
+  m.end_row();
+  m.put(2);
+  m.put(3);
+  m.end_row();
   return m;
 }
 

@@ -99,10 +99,16 @@ void run(const Bytes& bytes) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::fprintf(stderr, "usage: %s FOLDER/FORMAT [SECONDS [SEED]]\n", argv[0]), 2;
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: %s FOLDER/FORMAT [SECONDS [SEED]]\n", argv[0]);
+    return 2;
+  }
   LLVMFuzzerInitialize(&argc, &argv);
   const std::vector<Bytes> corpus = read_corpus(argv[1]);
-  if (corpus.empty()) return std::fprintf(stderr, "%s: no files\n", argv[1]), 2;
+  if (corpus.empty()) {
+    std::fprintf(stderr, "%s: no files\n", argv[1]);
+    return 2;
+  }
   const double seconds = argc > 2 ? std::atof(argv[2]) : 2;
   for (const auto& bytes : corpus) run(bytes);
   Mutator mutator(corpus, argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);

@@ -88,7 +88,10 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
     for (const auto& way : displacements) {
       CAPTURE(way.front());
       Document document = selected_cube();
-      for (auto& p : document.changed_pose().positions) p[0] += 0.4 * p[1] - 0.3 * p[2], p[1] += 0.5 * p[2];
+      for (auto& p : document.changed_pose().positions) {
+        p[0] += 0.4 * p[1] - 0.3 * p[2];
+        p[1] += 0.5 * p[2];
+      }
       document.changed_pose().positions[3][2] += 0.7;
       const auto posed = document.pose().positions;
       const auto shown = [&] {  // updates the turns, as drawing does

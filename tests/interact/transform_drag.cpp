@@ -37,7 +37,10 @@ struct Drag {
   glm::vec2 center() const {
     return glm::vec2(CursorProjection(glm::dvec3(view_center()), w.view.camera, w.view.viewport).at());
   }
-  void move(glm::vec2 by) { input.cursor += by, update(); }
+  void move(glm::vec2 by) {
+    input.cursor += by;
+    update();
+  }
   void update() { drag->update(w.document, input, w.view.camera, w.view.viewport); }
   void type(const char* text) {
     for (; *text; ++text) drag->type(*text);

@@ -87,7 +87,10 @@ TEST_CASE("touching_is_not_a_crossing") {
                            {{0, 1, 2}, {3, 4, 5}}))
             .empty());
   Surface beside = test::cube();
-  for (Point& p : beside.positions) p[0] += 2, p[1] += 2;
+  for (Point& p : beside.positions) {
+    p[0] += 2;
+    p[1] += 2;
+  }
   CHECK(self_intersecting_triangles(test::both(test::cube(), beside)).empty());
 }
 

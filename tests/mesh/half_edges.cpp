@@ -64,8 +64,12 @@ TEST_CASE("vertices_are_joined_by_paths_up_to_the_given_length") {
   std::vector<Point> p;  // a strip of squares of side 1, and a separate triangle
   std::vector<Triangle> t;
   for (std::uint32_t i = 0; i < 10; ++i) {
-    p.push_back({double(i), 0, 0}), p.push_back({double(i), 1, 0});
-    if (i > 0) t.push_back({2 * i - 2, 2 * i, 2 * i - 1}), t.push_back({2 * i, 2 * i + 1, 2 * i - 1});
+    p.push_back({double(i), 0, 0});
+    p.push_back({double(i), 1, 0});
+    if (i > 0) {
+      t.push_back({2 * i - 2, 2 * i, 2 * i - 1});
+      t.push_back({2 * i, 2 * i + 1, 2 * i - 1});
+    }
   }
   p.insert(p.end(), {{0, 0, 0.1}, {1, 0, 0.1}, {0, 1, 0.1}});
   t.push_back({20, 21, 22});

@@ -27,7 +27,10 @@ std::uint32_t nearest_of_all(const std::vector<Point>& points, const std::vector
   double least = HUGE_VAL;
   for (const auto i : some) {
     const double d = closest_on_triangle(points[i], a, b, c).squared_distance;
-    if (d < least || (d == least && i < best)) best = i, least = d;
+    if (d < least || (d == least && i < best)) {
+      best = i;
+      least = d;
+    }
   }
   return best;
 }

@@ -115,7 +115,8 @@ static Surface cube_with_a_corner_in_an_edge(double off, int first) {
     corners.insert(corners.end(), face.begin(), face.end());
     starts.push_back(static_cast<std::uint32_t>(corners.size()));
   }
-  s.corners = corners, s.polygon_starts = starts;
+  s.corners = corners;
+  s.polygon_starts = starts;
   triangulate(s);
   return s;
 }

@@ -91,7 +91,8 @@ TEST_CASE("tree_nearest_of_groups_agrees_with_brute_force") {
       const auto is_farther = [&](const auto& one) { return one.second > 4 * least; };
       for (const auto& near : tree.nearest_of_groups(p, radius, 2, but))
         CHECK(found.try_emplace(near.group, near.squared_distance).second);
-      std::erase_if(expected, is_farther), std::erase_if(found, is_farther);
+      std::erase_if(expected, is_farther);
+      std::erase_if(found, is_farther);
       CHECK(found == expected);
     }
   }

@@ -39,7 +39,9 @@ TEST_CASE("faces_in_any_order_with_any_first_corner_keep_the_vertices") {
   CHECK(vertex_order(s, cube(), true) == in_order());
   CHECK_FALSE(vertex_order(s, cube(), false));  // the format may have numbered the vertices again
   Surface points = cube();
-  points.corners.clear(), points.triangles.clear(), points.polygon_starts = {0};
+  points.corners.clear();
+  points.triangles.clear();
+  points.polygon_starts = {0};
   CHECK(vertex_order(points, cube(), true) == in_order());
   points.positions.pop_back();
   CHECK_FALSE(vertex_order(points, cube(), true));

@@ -82,7 +82,10 @@ TEST_CASE("named_deformers_are_recognised_by_their_deformers_for_any_numbers") {
     CHECK(s.weighting.elements == elements_of(s.weighting.weights, s.blend));
     s.amounts = {0.5, 1.5};
     s.weighting.radius = 0.4;
-    if (s.stitched()) s.iterations = 4, s.holding = {0.1, 0.2};
+    if (s.stitched()) {
+      s.iterations = 4;
+      s.holding = {0.1, 0.2};
+    }
     CHECK(preset_of(s) == preset);
     s.iterations = s.stitched() ? 0 : 1;
     if (s.has_maps()) CHECK(preset_of(s) != preset);

@@ -50,7 +50,8 @@ struct AnimatedDragon : TemporaryFolder {
 TEST_CASE("pictures_and_turntables_show_no_tool_and_the_cage_only_if_it_is_asked_for") {
   const AnimatedFiles files;
   files::Session session;
-  session.model.path = files / "model.obj", session.cage_file.path = files / "cage.obj";
+  session.model.path = files / "model.obj";
+  session.cage_file.path = files / "cage.obj";
   session.view.panels = false;
   const auto drawn = [&](const std::string& command) {
     put_file(files / "s.viete", files::session_text(session, files / "s.viete"));

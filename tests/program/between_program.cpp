@@ -23,8 +23,12 @@ struct ShapeFiles : WorkFolder {
   mesh::Surface cube = CubeFiles::subdivided_cube();
 
   ShapeFiles() {
-    write("rest.obj", cube.positions), write("a.obj", shape(100)), write("b.obj", shape(170, 1));
-    write("s_1.obj", cube.positions), write("s_2.obj", shape(100)), write("s_3.obj", shape(170, 1));
+    write("rest.obj", cube.positions);
+    write("a.obj", shape(100));
+    write("b.obj", shape(170, 1));
+    write("s_1.obj", cube.positions);
+    write("s_2.obj", shape(100));
+    write("s_3.obj", shape(170, 1));
   }
   Points shape(double degrees, double pull = 0) const {
     Points points = cube.positions;
@@ -41,7 +45,8 @@ struct ShapeFiles : WorkFolder {
 
 TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
   const ShapeFiles f;
-  f.write("half.obj", f.shape(180)), f.write("less.obj", f.shape(178));
+  f.write("half.obj", f.shape(180));
+  f.write("less.obj", f.shape(178));
   CHECK(f.done("between rest.obj less.obj -o m.ply --at 0.5").text == "");
   CHECK(distance(f.read("m.ply"), f.shape(89)) < 1e-6);
   f.done("between rest.obj half.obj -o m.ply --at 0.5 --linear");

@@ -98,7 +98,10 @@ TEST_CASE("no_button_passes_through_a_dialog") {
         d.drag(at, at + glm::vec2(20, 9), button);
         d.wheel(1);
         CHECK_MESSAGE(state(d) == before, dialog, ", button ", button);
-        if (closes) scene.close(), scene.open(dialog);
+        if (closes) {
+          scene.close();
+          scene.open(dialog);
+        }
       }
     }
     scene.close();

@@ -274,7 +274,10 @@ inline std::uint32_t Driver::free_vertex() {
     for (std::uint32_t j = 0; j < points.size(); ++j)
       if (j != i) room = std::min(room, glm::distance(at, glm::vec2(*project(points[j]))));
     const float score = std::min(room, 30.0f) - 0.02f * glm::distance(at, middle) - 40 * projected.z;
-    if (score > best_score) best = i, best_score = score;
+    if (score > best_score) {
+      best = i;
+      best_score = score;
+    }
   }
   return best;
 }

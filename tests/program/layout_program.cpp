@@ -360,7 +360,8 @@ TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_o
   d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
   document::Handling& hand = d.workspace().view.handling;
   hand.mirror = document::MirrorPlane::x;
-  hand.pivot = document::Pivot::point, hand.point = mesh::Point{0.25, 1, -3};
+  hand.pivot = document::Pivot::point;
+  hand.point = mesh::Point{0.25, 1, -3};
   d.workspace().messages.warn("The cage is open", {.scope = workspace::Scope::cage});
   d.frame();
   REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));

@@ -145,7 +145,10 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   for (std::uint32_t i = 0; i <= 10; ++i) box.polygon_starts.push_back(4 * i);
   mesh::triangulate(box);
   formats::write(folder / "box.obj", box);
-  for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][2] += 0.9;
+  for (const std::size_t v : {2, 5, 8, 11}) {
+    box.positions[v][0] -= 0.3;
+    box.positions[v][2] += 0.9;
+  }
   formats::write(folder / "bent.obj", box);
   REQUIRE(d.open({file, folder / "box.obj", folder / "bent.obj"}));
 }
@@ -227,10 +230,10 @@ void put_numbers(Driver& d) {
       .samples = {{{120, 3e-15, 2e-16}, {40, 2e-9, 4e-14}, {30, 6e-14, 7e-16}, {6, 8e-16, 1e-16}}},
       .matrices = 2048};
   w.frame.method_times = {.stages = {{{{0.01, 0.02, 20, 19.4, 1.2, 0, 0, 0, 0, 0, 0.1}},
-                                     {{0.01, 0.02, 20, 18.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
-                                     {{0.01, 0.02, 20, 5.6, 1.2, 0, 0, 0, 0, 0, 0.1}},
-                                     {{0.01, 0.02, 20, 3.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
-                                     {{0.01, 0.02, 0, 0, 0, 0.05, 0.2, 0, 0, 0, 0.1}}}},
+                                      {{0.01, 0.02, 20, 18.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                                      {{0.01, 0.02, 20, 5.6, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                                      {{0.01, 0.02, 20, 3.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                                      {{0.01, 0.02, 0, 0, 0, 0.05, 0.2, 0, 0, 0, 0.1}}}},
                           .fused_error = 4e-6,
                           .measured = true};
   w.view.split.views[0].stats.clear();

@@ -25,7 +25,8 @@ struct ShapeHand : Driver {
       REQUIRE(open({test::dragon}));
       settle();
     }
-    write(left, 1.2), write(right, -1.2);
+    write(left, 1.2);
+    write(right, -1.2);
     workspace().jobs.wishes.open({What::dropped, {right, left}});
     frame();
     REQUIRE(until([&] { return document().library().poses.size() == 2; }));

@@ -92,7 +92,8 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     const auto before = state(d.workspace());
     d.frame(30);  // so that the next click is not a double click
     if (twice) {
-      d.click(at), d.click(at);
+      d.click(at);
+      d.click(at);
     } else {
       d.key(Driver::left_ctrl, true);
       d.click(at);

@@ -16,15 +16,13 @@ namespace {
 constexpr std::size_t most_lines_of_a_function = 70;
 
 template <class Visit>
-void for_statements(const Visit& visit) {
-  for (const char* top : {"src", "tests"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(viete::test::source_dir() / top)) {
-      const auto extension = entry.path().extension();
-      if (extension != ".h" && extension != ".cpp") continue;
-      std::ifstream in(entry.path(), std::ios::binary);
-      for (const auto& statement : statements_of(std::string(std::istreambuf_iterator<char>(in), {})))
-        visit(entry.path().string() + ":" + std::to_string(statement.line), statement);
-    }
+void for_statements(const char* top, const Visit& visit) {
+  for (const auto& entry : fs::recursive_directory_iterator(viete::test::source_dir() / top)) {
+    const auto extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp") continue;
+    std::ifstream in(entry.path(), std::ios::binary);
+    for (const auto& statement : statements_of(std::string(std::istreambuf_iterator<char>(in), {})))
+      visit(entry.path().string() + ":" + std::to_string(statement.line), statement);
   }
 }
 
@@ -38,20 +36,21 @@ std::vector<std::string> joined_in(const std::string& source) {
 }  // namespace
 
 TEST_CASE("no_statements_are_joined_by_commas") {
-  for_statements([](const std::string& place, const auto& statement) {
-    if (!statement.is_block && is_joined(statement.text))
-      FAIL_CHECK(place << ": write one statement per line:" << statement.text);
-  });
+  for (const char* top : {"src", "tests"})
+    for_statements(top, [](const std::string& place, const auto& statement) {
+      if (!statement.is_block && is_joined(statement.text))
+        FAIL_CHECK(place << ": write one statement per line:" << statement.text);
+    });
 }
 
 TEST_CASE("functions_have_at_most_seventy_lines") {
   std::size_t functions = 0;
-  for_statements([&](const std::string& place, const auto& statement) {
+  for_statements("src", [&](const std::string& place, const auto& statement) {
     if (!statement.is_block || !is_function(statement.text)) return;
     ++functions;
     CHECK_MESSAGE(statement.lines <= most_lines_of_a_function, place, ":", statement.text);
   });
-  CHECK(functions > 5000);
+  CHECK(functions > 4000);
 }
 
 TEST_CASE("joined_statements_are_found_and_lists_are_not") {

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "support/caged_shapes.h"
 #include "formats/read.h"
+#include "support/caged_shapes.h"
 #include "support/data.h"
 
 using namespace viete;
@@ -228,7 +228,8 @@ TEST_CASE("coincident_pins_with_two_targets_end_between_them") {
       if (v == 40 && (takes = !takes)) v = copy;
   Posing p(mesh::from_triangles(model.positions, triangles), {}, {0, 200, 40, copy});
   Points targets = p.rest.positions;
-  targets[40][0] += 0.1, targets[copy][0] -= 0.1;
+  targets[40][0] += 0.1;
+  targets[copy][0] -= 0.1;
   const Points posed = p.solved(targets, {.freedom = 1});
   CHECK(all_finite(posed));
   CHECK(norm(posed[40] - p.rest.positions[40]) < 0.1);

@@ -289,7 +289,8 @@ TEST_CASE("the_density_of_vertices_does_not_move_a_part") {
     for (std::uint32_t i = 0; i <= 32 + 4 * dense; ++i) {
       const double x = i <= 32 ? i / 8.0 - 4 : (i - 32.0) / dense;
       if (x == std::round(x)) whole.push_back(2 * i);
-      plate.positions.push_back({x, 0, 0}), plate.positions.push_back({x, 1, 0});
+      plate.positions.push_back({x, 0, 0});
+      plate.positions.push_back({x, 1, 0});
       if (i > 0)
         for (const mesh::Triangle& t : {mesh::Triangle{0, 2, 1}, mesh::Triangle{1, 2, 3}})
           triangles.push_back({2 * i - 2 + t[0], 2 * i - 2 + t[1], 2 * i - 2 + t[2]});

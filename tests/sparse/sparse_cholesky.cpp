@@ -2,8 +2,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
-#include "support/caged_shapes.h"
 #include "sparse/sparse_cholesky.h"
+#include "support/caged_shapes.h"
 #include "weights/laplacian.h"
 
 using namespace viete;
@@ -241,7 +241,8 @@ TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
   const BlockSolver solver(
       sparse_matrix(2, std::vector<MatrixEntry>{{0, 0, 2}, {1, 0, 1}, {1, 1, 3}, {0, 1, 77}}), pool);
   base::AlignedVector<double> block(2 * solved_columns, 0.0);
-  block[solver.place(0)] = 5, block[solver.place(1)] = 10;  // for the solution (1, 3)
+  block[solver.place(0)] = 5;
+  block[solver.place(1)] = 10;  // for the solution (1, 3)
   solver.solve(block, sparse_kernel(sym3::kernel()));
   CHECK(block[solver.place(0)] == doctest::Approx(1));
   CHECK(block[solver.place(1)] == doctest::Approx(3));

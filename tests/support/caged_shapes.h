@@ -83,7 +83,10 @@ inline mesh::Surface grid(std::uint32_t n) {
     for (std::uint32_t j = 0; j <= n; ++j) {
       p.push_back({double(i), double(j), 0});
       const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
-      if (i < n && j < n) t.push_back({a, b, b + 1}), t.push_back({a, b + 1, a + 1});
+      if (i < n && j < n) {
+        t.push_back({a, b, b + 1});
+        t.push_back({a, b + 1, a + 1});
+      }
     }
   }
   return mesh::from_triangles(p, t);

@@ -25,17 +25,40 @@ struct Mouse {
     input.escape = false;
     input.wheel = 0;
   }
-  void move(glm::vec2 to) { input.position = to, step(); }
-  void press(int b = workspace::left_button) { input.down[b] = true, step(); }
-  void release(int b = workspace::left_button) { input.down[b] = false, step(); }
-  void turn_wheel(float steps) { input.wheel = steps, step(); }
-  void press_escape() { input.escape = true, step(); }
-  void click(glm::vec2 at) { move(at), press(), release(); }
+  void move(glm::vec2 to) {
+    input.position = to;
+    step();
+  }
+  void press(int b = workspace::left_button) {
+    input.down[b] = true;
+    step();
+  }
+  void release(int b = workspace::left_button) {
+    input.down[b] = false;
+    step();
+  }
+  void turn_wheel(float steps) {
+    input.wheel = steps;
+    step();
+  }
+  void press_escape() {
+    input.escape = true;
+    step();
+  }
+  void click(glm::vec2 at) {
+    move(at);
+    press();
+    release();
+  }
   void begin(glm::vec2 from, glm::vec2 to, int b = workspace::left_button) {
-    move(from), press(b);
+    move(from);
+    press(b);
     for (int i = 1; i <= 8; ++i) move(from + (to - from) * (static_cast<float>(i) / 8));
   }
-  void drag(glm::vec2 from, glm::vec2 to, int b = workspace::left_button) { begin(from, to, b), release(b); }
+  void drag(glm::vec2 from, glm::vec2 to, int b = workspace::left_button) {
+    begin(from, to, b);
+    release(b);
+  }
 };
 
 }  // namespace viete::test

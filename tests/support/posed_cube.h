@@ -26,7 +26,10 @@ inline pose::Pose turned_cube(double degrees) {
 /// Returns the cage scaled along x and z.
 inline pose::Pose stretched_cube(double x, double z = 1) {
   pose::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
-  for (auto& p : pose.positions) p[0] *= x, p[2] *= z;
+  for (auto& p : pose.positions) {
+    p[0] *= x;
+    p[2] *= z;
+  }
   return pose;
 }
 

@@ -23,7 +23,8 @@ public:
     }
     char text[64];
     const ssize_t size = read(ends[0], text, sizeof text);
-    close(ends[0]), close(ends[1]);
+    close(ends[0]);
+    close(ends[1]);
     REQUIRE(size > 0);
     name.assign(text, static_cast<std::size_t>(size));
     siginfo_t ended;

@@ -123,7 +123,8 @@ TEST_CASE("the_order_of_combined_maps_does_not_matter_nor_do_coordinates_and_inv
     CHECK(difference(sym3::combine(times_all(c, maps, sym3::inverse(c)), weights),
                      c * sum * sym3::inverse(c)) < 1e-11);
     CHECK(difference(sym3::combine(inverses(maps), weights), sym3::inverse(sum)) < 1e-12);
-    std::swap(maps[0], maps[2]), std::swap(maps[1], maps[3]);
+    std::swap(maps[0], maps[2]);
+    std::swap(maps[1], maps[3]);
     CHECK(difference(sym3::combine(maps, std::vector{-0.1, 0.3, 0.5, 0.3}), sum) < 1e-15 * 10);
     CHECK(difference(sym3::combine(std::span(maps).first(1), std::vector{2.0}), maps[0] * maps[0]) < 1e-13);
   }

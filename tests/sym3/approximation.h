@@ -38,10 +38,14 @@ inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
     Quad series = 0;
     for (int j = 0; j < count; ++j) series += values[j] * cosq(k * angle(j));
     for (int i = 0; i < count; ++i) sum[i] += series * (k == 0 ? 1 : 2) / count * next[i];
-    before = k == 0 ? before : last, last = next;
+    before = k == 0 ? before : last;
+    last = next;
   }
   Quad power = 1;
-  for (Quad& c : sum) c /= power, power *= end;
+  for (Quad& c : sum) {
+    c /= power;
+    power *= end;
+  }
   return sum;
 }
 
@@ -52,7 +56,8 @@ struct Target {
   Target(const QuadFunction& f, const QuadFunction& weight, Quad low, Quad high, int count = 800) {
     for (int i = 0; i < count; ++i) {
       points.push_back((low + high) / 2 - (high - low) / 2 * cosq(M_PIq * (i + Quad(0.5)) / count));
-      values.push_back(f(points.back())), weights.push_back(weight(points.back()));
+      values.push_back(f(points.back()));
+      weights.push_back(weight(points.back()));
     }
   }
 
@@ -142,7 +147,10 @@ inline Polynomial minimax(const Target& t, Polynomial p, int first) {
     const auto solution = solved(rows);
     std::copy(solution.begin(), solution.end() - 1, p.begin() + first);
     const auto errors = t.errors(p);
-    if (largest(errors) < best_error) best = p, best_error = largest(errors);
+    if (largest(errors) < best_error) {
+      best = p;
+      best_error = largest(errors);
+    }
     const auto next = extremes_of(errors);
     if (next.size() < extremes.size() || next == extremes) break;
     extremes = next;

@@ -146,10 +146,12 @@ struct DerivativeCase {
     std::vector<sym3::SymView<const T>> reads;
     std::vector<sym3::SymView<T>> writes;
     for (int k = 0; k < 3; ++k) {
-      in.emplace_back(to, directions[k], count), out.emplace_back(to, count);
+      in.emplace_back(to, directions[k], count);
+      out.emplace_back(to, count);
     }
     for (int k = 0; k < 3; ++k) {
-      reads.push_back(in[k].view()), writes.push_back(in_place ? in[k].view() : out[k].view());
+      reads.push_back(in[k].view());
+      writes.push_back(in_place ? in[k].view() : out[k].view());
     }
     derive<T>(f, s.view(), reads, writes, count, {&kernel});
     bool same = in_place || out[2].holds(count);
@@ -263,7 +265,8 @@ TEST_CASE_TEMPLATE("derivatives_that_do_not_exist_are_nan", T, double, float) {
       for (const T bad : {nan, inf, -inf}) {
         for (int k = 0; k < 6; ++k) {
           Sym3<T> s = good, direction = e;
-          (&s.xx)[k] = bad, (&direction.xx)[k] = bad;
+          (&s.xx)[k] = bad;
+          (&direction.xx)[k] = bad;
           CHECK(all_nan(derived(f, kernel, s, e)));
           CHECK(all_nan(derived(f, kernel, good, direction)));
           for (const auto& row : tangent_of(f, kernel, s)) CHECK(all_nan(row));

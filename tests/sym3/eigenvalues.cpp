@@ -94,7 +94,8 @@ TEST_CASE_TEMPLATE("eigenvalues_err_by_8_u_of_the_largest_however_close", T, dou
 
 TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_eigenvalues_agrees_with_one", T, double, float) {
   auto in = paper_ensemble<T>(50);
-  in[11] = {}, in[12] = diagonal(T(3), T(-1), std::numeric_limits<T>::max());
+  in[11] = {};
+  in[12] = diagonal(T(3), T(-1), std::numeric_limits<T>::max());
   for (const auto& kernel : sym3::kernels()) {
     const auto many = [&](const sym3::SymView<const T>& from, const sym3::VecView<T>& to, std::size_t count) {
       sym3::eigenvalues(from, to, count, {&kernel});

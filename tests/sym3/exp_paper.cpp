@@ -35,10 +35,15 @@ TEST_CASE_TEMPLATE("diag_errs_by_20_u_and_20_u_per_size_of_eigenvalue", T, doubl
     CHECK(errors.worst <= 20 + 20 * size);
   };
   check(paper_ensemble<T>(5000), 5);
-  for (const double gap : {1e-1, 1e-4, 1e-8, 1e-16})
-    check(pairs<T>(gap, 500), 3), check(triples<T>(gap, 500), 3);
+  for (const double gap : {1e-1, 1e-4, 1e-8, 1e-16}) {
+    check(pairs<T>(gap, 500), 3);
+    check(triples<T>(gap, 500), 3);
+  }
   for (const double spread : {1.0, 10.0, 80.0}) check(spreads<T>(spread, 0, 500), spread);
-  if (sizeof(T) == 8) check(spreads<T>(5, -700, 500), 700), check(spreads<T>(300, 400, 500), 700);
+  if (sizeof(T) == 8) {
+    check(spreads<T>(5, -700, 500), 700);
+    check(spreads<T>(300, 400, 500), 700);
+  }
 }
 
 TEST_CASE("spectral_forms_agree_with_the_truth_on_the_papers_ensemble") {

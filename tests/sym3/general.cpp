@@ -336,7 +336,8 @@ TEST_CASE("the_angle_of_a_log_is_its_rotation_angle") {
   for (int i = 0; i < 100; ++i) {
     const double angle = uniform(random, 0.1, 20);
     auto l = sym3::cross_matrix({0, 0, angle});
-    l[0] = l[4] = uniform(random, -1, 1), l[8] = uniform(random, -1, 1);
+    l[0] = l[4] = uniform(random, -1, 1);
+    l[8] = uniform(random, -1, 1);
     CHECK(sym3::angle_of(in_axes_of(l, random)) == doctest::Approx(angle).epsilon(1e-13));
   }
   CHECK(sym3::angle_of({}) == 0);

@@ -163,7 +163,8 @@ TEST_CASE_TEMPLATE("beyond_the_range_of_the_kernels_a_batch_has_the_answers_by_j
 TEST_CASE_TEMPLATE("one_matrix_and_a_batch_in_every_layout_and_length_get_the_same_bits_of_functions", T,
                    double, float) {
   auto in = with_condition<T>(20, 80);
-  in[17] = {}, in[40] = diagonal(T(1), T(2), T(-3)),
+  in[17] = {};
+  in[40] = diagonal(T(1), T(2), T(-3));
   in[55] = diagonal(T(1e-3), T(1), std::numeric_limits<T>::max());
   for (const Which which : all) {
     for (const auto& kernel : sym3::kernels()) {

@@ -27,7 +27,8 @@ Truth quad_polar(const QuadMat& m) {
   Quad top = 0, sum = 0;
   for (int k = 0; k < 3; ++k) {
     const Quad s = sqrtq(e.values[k]) * (k == least && det < 0 ? -1 : 1);
-    top = std::max(top, s), sum += s;
+    top = std::max(top, s);
+    sum += s;
     for (int i = 0; i < 3; ++i) {
       Quad image = 0;
       for (int j = 0; j < 3; ++j) image += m[3 * i + j] * e.vectors[j][k];
@@ -169,7 +170,8 @@ TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T,
 TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_any_layout_and_in_place", T,
                    double, float) {
   auto in = random_matrices<T>(150, 85);
-  in[20] = {}, in[77] = {1, 2, 3, 2, 4, 6, -1, -2, -3};
+  in[20] = {};
+  in[77] = {1, 2, 3, 2, 4, 6, -1, -2, -3};
   for (const auto& kernel : sym3::kernels()) {
     const auto run = [&](std::vector<Mat3<T>>& r, const sym3::SymView<T>& u, std::size_t count) {
       const sym3::MatView<T> both(sym3::Layout::packed, r[0].data());

@@ -49,11 +49,15 @@ inline void quad_rotate(std::array<std::array<Quad, 3>, 3>& a, std::array<std::a
   const Quad c = quad_inverse_root(t * t + 1), s = t * c;
   const int r = 3 - p - q;
   const Quad shift = t * a[p][q], x = a[r][p], y = a[r][q];
-  a[p][p] -= shift, a[q][q] += shift, a[p][q] = a[q][p] = 0;
-  a[r][p] = a[p][r] = c * x - s * y, a[r][q] = a[q][r] = s * x + c * y;
+  a[p][p] -= shift;
+  a[q][q] += shift;
+  a[p][q] = a[q][p] = 0;
+  a[r][p] = a[p][r] = c * x - s * y;
+  a[r][q] = a[q][r] = s * x + c * y;
   for (int k = 0; k < 3; ++k) {
     const Quad x = v[k][p], y = v[k][q];
-    v[k][p] = c * x - s * y, v[k][q] = s * x + c * y;
+    v[k][p] = c * x - s * y;
+    v[k][q] = s * x + c * y;
   }
 }
 
@@ -65,7 +69,9 @@ inline QuadEigen quad_eigen(const QuadSym& s) {
     const Quad off = fabsq(a[0][1]) + fabsq(a[0][2]) + fabsq(a[1][2]);
     const Quad least = std::min({fabsq(a[0][0]), fabsq(a[1][1]), fabsq(a[2][2])});
     if (off <= tiny * least) break;
-    quad_rotate(a, v, 0, 1), quad_rotate(a, v, 0, 2), quad_rotate(a, v, 1, 2);
+    quad_rotate(a, v, 0, 1);
+    quad_rotate(a, v, 0, 2);
+    quad_rotate(a, v, 1, 2);
   }
   return {{a[0][0], a[1][1], a[2][2]}, v};
 }
@@ -271,7 +277,8 @@ inline QuadDerivative quad_derivative(sym3::Of f, double p, const QuadSym& s, co
         for (int j = 0; j < 3; ++j) g[k][l] += v[i][k] * m[i][j] * v[j][l];
       }
       const Quad slope = quad_slope(f, p, e.values[k], e.values[l]);
-      g[k][l] *= slope, norm = std::max(norm, fabsq(slope));
+      g[k][l] *= slope;
+      norm = std::max(norm, fabsq(slope));
     }
   }
   const auto entry = [&](int i, int j) {

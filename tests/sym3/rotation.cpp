@@ -134,7 +134,8 @@ TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
       double moved = 0;
       for (T& x : r) {
         const double change = uniform(random, -size, size);
-        x += T(change), moved += change * change;
+        x += T(change);
+        moved += change * change;
       }
       const double by = log_error(sym3::log_rotation(r), w) * unit_roundoff<T>;
       CHECK(by <= 2 * std::sqrt(moved) + 20 * unit_roundoff<T>);

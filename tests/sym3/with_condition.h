@@ -26,7 +26,9 @@ inline std::vector<Sym3<double>> near_identity(double size, int count, Random& r
   std::vector<Sym3<double>> all;
   for (int i = 0; i < count; ++i) {
     auto& s = all.emplace_back(with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random));
-    s.xx += 1, s.yy += 1, s.zz += 1;
+    s.xx += 1;
+    s.yy += 1;
+    s.zz += 1;
   }
   return all;
 }

@@ -52,9 +52,11 @@ mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
     for (std::uint32_t j = 0; j < n; ++j) {
       const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
       if (cut(0, 1) < 0.5) {
-        t.push_back({a, b, b + 1}), t.push_back({a, b + 1, a + 1});
+        t.push_back({a, b, b + 1});
+        t.push_back({a, b + 1, a + 1});
       } else {
-        t.push_back({a, b, a + 1}), t.push_back({b, b + 1, a + 1});
+        t.push_back({a, b, a + 1});
+        t.push_back({b, b + 1, a + 1});
       }
     }
   }
@@ -89,7 +91,8 @@ void check_laplacian(const mesh::Surface& surface) {
     double sum = 0, size = 0;
     for (Sparse::InnerIterator at(k, Eigen::Index(v)); at; ++at) {
       if (at.row() != at.col()) CHECK(at.value() < 0);
-      sum += at.value(), size += std::abs(at.value());
+      sum += at.value();
+      size += std::abs(at.value());
     }
     CHECK(std::abs(sum) <= 1e-13 * size);
     CHECK((masses[v] > 0) == used[v]);
@@ -129,7 +132,8 @@ TEST_CASE("the_stiffness_matrix_gives_the_dirichlet_energy_of_linear_functions")
 TEST_CASE("stiffness_is_symmetric_sums_to_zero_and_has_every_diagonal_entry") {
   mesh::Surface s = tube(20, 9, 0.7, 5);
   s.positions.push_back({9, 9, 9});  // has no triangle
-  s.triangles.push_back({0, 0, 5}), s.triangles.push_back({3, 3, 3});
+  s.triangles.push_back({0, 0, 5});
+  s.triangles.push_back({3, 3, 3});
   const Sparse k = stiffness(s);
   REQUIRE(k.rows() == Eigen::Index(s.positions.size()));
   CHECK(largest(Sparse(k - Sparse(k.transpose()))) == 0);
@@ -198,7 +202,10 @@ TEST_CASE("triangles_that_are_delaunay_keep_their_cotangents_and_areas") {
     for (const mesh::Triangle& t : surface.triangles) {
       const mesh::Point& a = surface.positions[t[0]];
       const double third = norm(cross(surface.positions[t[1]] - a, surface.positions[t[2]] - a)) / 6;
-      for (const auto v : t) thirds[v] += third, area += third;
+      for (const auto v : t) {
+        thirds[v] += third;
+        area += third;
+      }
     }
     for (std::size_t v = 0; v < masses.size(); ++v) CHECK(masses[v] == doctest::Approx(thirds[v] / area));
   }
@@ -219,7 +226,10 @@ TEST_CASE("the_triangulation_of_a_plane_does_not_matter") {
 TEST_CASE("no_weight_is_negative_for_any_triangles") {
   for (const double moved : {0.0, 0.3, 0.49}) check_laplacian(cut_grid(15, moved, 3));
   auto stretched = cut_grid(15, 0.4, 5);
-  for (auto& p : stretched.positions) p[0] *= 1000, p[2] = std::sin(20 * p[1]);
+  for (auto& p : stretched.positions) {
+    p[0] *= 1000;
+    p[2] = std::sin(20 * p[1]);
+  }
   check_laplacian(stretched);
   for (unsigned seed = 1; seed < 20; ++seed) {
     check_laplacian(soup(seed, 30, 12));

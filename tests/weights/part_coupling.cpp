@@ -135,7 +135,8 @@ mesh::Surface rows_around(std::uint32_t rows, std::uint32_t sides, double from, 
         place(std::lerp(from, to, double(i / sides) / rows), 2 * std::numbers::pi * (i % sides) / sides));
   for (std::uint32_t i = 0; i < rows * sides; ++i) {
     const std::uint32_t next = i % sides + 1 < sides ? i + 1 : i + 1 - sides;
-    t.push_back({i, i + sides, next}), t.push_back({next, i + sides, next + sides});
+    t.push_back({i, i + sides, next});
+    t.push_back({next, i + sides, next + sides});
   }
   return mesh::from_triangles(p, t);
 }
@@ -307,10 +308,12 @@ TEST_CASE("folds_that_touch_are_coupled_and_neighbours_along_the_surface_are_not
   std::vector<mesh::Triangle> t;
   for (std::uint32_t i = 0; i <= 20; ++i) {
     const double x = 0.1 * std::min(i, 20 - i), z = i > 10 ? 0.0005 : 0;
-    p.push_back({x, 0, z}), p.push_back({x, 1, z});
+    p.push_back({x, 0, z});
+    p.push_back({x, 1, z});
     if (i == 0) continue;
     const std::uint32_t a = 2 * i - 2;
-    t.push_back({a, a + 1, a + 2}), t.push_back({a + 2, a + 1, a + 3});
+    t.push_back({a, a + 1, a + 2});
+    t.push_back({a + 2, a + 1, a + 3});
   }
   const auto couplings = couplings_of(mesh::from_triangles(p, t));
   CHECK(couplings.size() == 2 * 2 * 10);

@@ -108,7 +108,9 @@ TEST_CASE("weights_are_the_same_at_every_length_scale_and_finite_everywhere") {
     };
     for (int n = 0; n < 50; ++n) {
       const Vec3 p = random.vector(4);
-      check(weights_at, p), check(cut_offs_at, p), check(mean_values_at, p);
+      check(weights_at, p);
+      check(cut_offs_at, p);
+      check(mean_values_at, p);
     }
     for (const auto& p : other.surface.positions) CHECK(sum(weights_at(other, p)) == doctest::Approx(1));
   }
@@ -161,7 +163,9 @@ TEST_CASE("cut_off_weights_and_shares_match_their_definition") {
     }
     CHECK(share == doctest::Approx(std::min(total, 1.0)).epsilon(1e-12));
     if (total > 0) CHECK(sum(w) - share == doctest::Approx(1).epsilon(1e-14));
-    none += total == 0, some += total > 0 && total < 1, all += total >= 1;
+    none += total == 0;
+    some += total > 0 && total < 1;
+    all += total >= 1;
   }
   CHECK(std::min({none, some, all}) > 50);
 }
@@ -296,7 +300,8 @@ TEST_CASE("a_cage_without_outside_is_rejected_only_for_mean_value_coordinates") 
   for (std::uint32_t i = 0; i < 6; ++i) {  // a Moebius strip
     for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
     const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
-    triangles.push_back({a, c, b}), triangles.push_back({b, c, d});
+    triangles.push_back({a, c, b});
+    triangles.push_back({b, c, d});
   }
   const auto strip = viete::mesh::from_triangles(positions, triangles);
   const auto model = tube(6, 5, 0.3, 1);

@@ -39,8 +39,10 @@ TEST_CASE("factors_of_a_proxy_sum_to_one_and_reproduce_positions") {
     proxy.terms(v, terms);
     double sum = 0;
     mesh::Point place{0, 0, 0};
-    for (const auto& [cluster, factor] : terms)
-      sum += factor, place = place + factor * proxy.surface().positions[cluster];
+    for (const auto& [cluster, factor] : terms) {
+      sum += factor;
+      place = place + factor * proxy.surface().positions[cluster];
+    }
     CHECK(sum == doctest::Approx(1).epsilon(1e-9));
     worst = std::max(worst, norm(place - model.positions[v]));
   }
@@ -98,8 +100,12 @@ TEST_CASE("many_small_parts_share_clusters_that_move_them_as_one") {
   mesh::Surface card;  // longer than a cluster, and narrower
   std::vector<mesh::Triangle> strip;
   for (std::uint32_t i = 0; i < 20; ++i) {
-    card.positions.push_back({4.0 * i, 0, 0}), card.positions.push_back({4.0 * i, 0.3, 0});
-    if (i > 0) strip.push_back({2 * i - 2, 2 * i - 1, 2 * i}), strip.push_back({2 * i, 2 * i - 1, 2 * i + 1});
+    card.positions.push_back({4.0 * i, 0, 0});
+    card.positions.push_back({4.0 * i, 0.3, 0});
+    if (i > 0) {
+      strip.push_back({2 * i - 2, 2 * i - 1, 2 * i});
+      strip.push_back({2 * i, 2 * i - 1, 2 * i + 1});
+    }
   }
   card = mesh::from_triangles(card.positions, strip);
   const pose::Cage cage = pose::make_cage(test::box({1.5, 1.5, 1.5}));
@@ -115,7 +121,8 @@ TEST_CASE("many_small_parts_share_clusters_that_move_them_as_one") {
       mesh::Point place{0, 0, 0};
       for (const auto& [cluster, factor] : terms) place = place + factor * proxy.surface().positions[cluster];
       REQUIRE(norm(place - model.positions[v]) < 0.2);
-      weights.row(v, row), weights.row(v + 1, next);
+      weights.row(v, row);
+      weights.row(v + 1, next);
       const double apart = norm(model.positions[v + 1] - model.positions[v]);
       for (std::size_t h = 0; h < row.size(); ++h) REQUIRE(std::abs(row[h] - next[h]) < 0.02 + apart);
     }

@@ -152,8 +152,10 @@ TEST_CASE("harmonic_weights_are_between_0_and_1_for_any_triangles") {
   auto sewn = bad;  // has edges with three triangles
   for (std::uint32_t i = 0; i < 50; ++i) sewn.triangles.push_back({i, i + 31, i + 200});
   auto flat = bad;
-  for (auto& p : flat.positions)
-    p[1] = 0, p[0] = std::round(4 * p[0]);  // triangles without area, coincident vertices
+  for (auto& p : flat.positions) {
+    p[1] = 0;
+    p[0] = std::round(4 * p[0]);
+  }  // triangles without area, coincident vertices
   const Cage cage = make_cage(tube(6, 8, 1.5, 3));
   for (const auto& model : {bad, open, sewn, flat}) {
     const auto weights =
@@ -319,7 +321,8 @@ TEST_CASE("a_part_with_known_weights_moves_like_the_whole_model") {
       pool),
       moved(b.cage, part, pool);
   const Pose pose = b.pose(Twist{2, {0, 0, 0}, -1, 1, -60 * degree, 60 * degree});
-  whole.deform(pose), moved.deform(pose);
+  whole.deform(pose);
+  moved.deform(pose);
   const auto expected = whole.positions();
   CHECK(largest_distance(moved.positions(),
                          mesh::picked(std::span<const mesh::Point>(expected), draft.vertices)) <

@@ -49,7 +49,8 @@ Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldP
   for (Eigen::Index v = 0; v < n; ++v) {
     if (has_spring[v]) system(v, v) += strengths[std::size_t(v)];
     if (parts.holds(std::uint32_t(v))) continue;
-    system.row(v).setZero(), system.col(v).setZero();
+    system.row(v).setZero();
+    system.col(v).setZero();
     system(v, v) = 1;
   }
   for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -110,7 +111,10 @@ TEST_CASE("plates_with_few_springs_or_masses_near_0_factor_only_the_laplacian") 
     laplacian.masses[7] *= width;
     std::vector<bool> has_spring(n, width < 1);
     std::vector<ThinPlate::Load> loads;
-    for (const std::uint32_t v : {3u, 77u, 200u, 280u}) has_spring[v] = true, loads.push_back({{v, 1}});
+    for (const std::uint32_t v : {3u, 77u, 200u, 280u}) {
+      has_spring[v] = true;
+      loads.push_back({{v, 1}});
+    }
     const auto parts = held_parts(laplacian.stiffness, has_spring);
     const std::vector<double> strengths(n, 10);
     const ThinPlate plate(laplacian, parts, has_spring, strengths, loads, pool);

@@ -27,7 +27,10 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
 // Computes weights by their definitions. Returns their sum before normalisation.
 double weights_of_one(const Cage& cage, const Weighting& weighting, const viete::mesh::Point& p,
                       std::span<double> weights) {
-  if (weighting.weights == Weights::mean_value) return mean_value_weights(cage, p, weights), 1;
+  if (weighting.weights == Weights::mean_value) {
+    mean_value_weights(cage, p, weights);
+    return 1;
+  }
   const auto& x = cage.surface.positions;
   double sum = 0;
   for (std::size_t h = 0; h < weights.size(); ++h) {

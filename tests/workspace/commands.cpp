@@ -36,7 +36,8 @@ TEST_CASE("no_menu_has_more_than_eight_items_without_a_separator") {
     for (const Command* command : menu.items) {
       const bool inside = !command->submenu.empty() && command->submenu == submenu;  // of one submenu
       run = command->group != group || begins_section(*command) ? 1 : run + !inside;
-      group = command->group, submenu = command->submenu;
+      group = command->group;
+      submenu = command->submenu;
       CHECK_MESSAGE(run <= 8, menu.title, ": ", command->name);
     }
   }
@@ -223,7 +224,10 @@ TEST_CASE("every_command_stands_in_one_menu") {
   std::set<std::string_view> names;
   for (const Menu& menu : menus()) {
     CHECK_FALSE(menu.items.empty());
-    for (const Command* command : menu.items) ++count, names.insert(command->name);
+    for (const Command* command : menu.items) {
+      ++count;
+      names.insert(command->name);
+    }
   }
   CHECK(count == commands().size());
   CHECK(names.size() == commands().size());

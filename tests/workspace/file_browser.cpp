@@ -163,7 +163,8 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   const std::string proposed = browser.path;
   browser.path = "f_#.obj";
   CHECK_FALSE(browser.replaces());
-  browser.first_frame = 3, browser.last_frame = 9;
+  browser.first_frame = 3;
+  browser.last_frame = 9;
   CHECK(browser.replaced() == std::pair(browser.folder / "f_3.obj", std::size_t{2}));
   browser.path = "f_#_#.obj";
   CHECK_FALSE(browser.replaces());

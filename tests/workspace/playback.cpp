@@ -29,8 +29,14 @@ struct Played {
   Timeline& timeline() { return w.document.changed_timeline(); }
   const std::vector<mesh::Point>& positions() const { return w.document.pose().positions; }
   void pass(double seconds) { follow_time(w, seconds); }
-  void go_to(double frame) { go_to_frame(w, frame), pass(0); }
-  void take_back() { undo(document()), pass(0); }
+  void go_to(double frame) {
+    go_to_frame(w, frame);
+    pass(0);
+  }
+  void take_back() {
+    undo(document());
+    pass(0);
+  }
   void put(const pose::Pose& pose) {
     record_edit(document(), "move by hand");
     document().changed_pose() = pose;
@@ -115,14 +121,17 @@ TEST_CASE("commands_change_the_frame_while_the_timeline_is_open_and_with_keys_or
       CHECK(find_command(name)->enabled(p.w) == enabled);
     }
   };
-  all_are(true, steps), all_are(true, to_keys);
+  all_are(true, steps);
+  all_are(true, to_keys);
   p.timeline().keys.clear();
-  all_are(true, steps), all_are(false, to_keys);
+  all_are(true, steps);
+  all_are(false, to_keys);
   CHECK(test::run_command(p.w, "next_frame"));
   CHECK(p.document().frame() == 2);
   p.timeline() = test::three_keys();
   p.w.preferences.layout.timeline = false;
-  all_are(false, steps), all_are(false, to_keys);
+  all_are(false, steps);
+  all_are(false, to_keys);
   CHECK(find_command("play")->enabled(p.w));
 }
 
@@ -152,10 +161,22 @@ TEST_CASE("an_unkeyed_pose_is_unsaved_work_after_being_replaced") {
       {"a step", [&] { test::run_command(p.w, "next_frame"); }},
       {"a key", [&] { test::run_command(p.w, "previous_key"); }},
       {"an end", [&] { test::run_command(p.w, "last_frame"); }},
-      {"scrubbing", [&] { go_to_frame(p.w, 3.5), go_to_frame(p.w, 4); }},
-      {"playing", [&] { test::run_command(p.w, "play"), p.pass(0.2), test::run_command(p.w, "play"); }},
+      {"scrubbing",
+       [&] {
+         go_to_frame(p.w, 3.5);
+         go_to_frame(p.w, 4);
+       }},
+      {"playing",
+       [&] {
+         test::run_command(p.w, "play");
+         p.pass(0.2);
+         test::run_command(p.w, "play");
+       }},
       {"a pose", [&] { apply_pose(p.w, 0); }},
-      {"a pose, then a step", [&] { apply_pose(p.w, 1), go_to_frame(p.w, 9); }}};
+      {"a pose, then a step", [&] {
+         apply_pose(p.w, 1);
+         go_to_frame(p.w, 9);
+       }}};
   for (const auto& [way, go] : ways) {
     CAPTURE(way);
     p.go_to(6);
@@ -384,9 +405,15 @@ TEST_CASE("steps_go_from_key_to_key_and_round") {
   Played p;
   p.timeline().cameras = {{5, {}}};
   std::vector<double> frames;
-  for (int i = 0; i < 4; ++i) go_to_key(p.w, true), frames.push_back(p.document().frame());
+  for (int i = 0; i < 4; ++i) {
+    go_to_key(p.w, true);
+    frames.push_back(p.document().frame());
+  }
   CHECK(frames == std::vector<double>{5, 11, 31, 1});
-  for (double& frame : frames) go_to_key(p.w, false), frame = p.document().frame();
+  for (double& frame : frames) {
+    go_to_key(p.w, false);
+    frame = p.document().frame();
+  }
   CHECK(frames == std::vector<double>{31, 11, 5, 1});
   go_to_frame(p.w, 7.5);
   go_to_key(p.w, false);

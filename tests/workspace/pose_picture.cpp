@@ -13,7 +13,10 @@ namespace {
 glm::vec2 extent(const std::vector<PictureShape>& shapes) {
   glm::vec2 low(1e9f), high(-1e9f);
   for (const auto& shape : shapes)
-    for (const auto& p : shape.points) low = glm::min(low, p), high = glm::max(high, p);
+    for (const auto& p : shape.points) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
   return high - low;
 }
 

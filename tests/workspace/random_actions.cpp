@@ -260,7 +260,8 @@ TEST_CASE("thousands_of_random_actions_are_undone_to_the_last_bit_and_redone_as_
     for (const auto& p : document.pose().positions)
       for (const double x : p) REQUIRE(std::isfinite(x));
     for (const NamedPose& named : document.library().poses) REQUIRE(in_range(*named.pose));
-    poses += document.library().poses.size(), keys += document.timeline().keys.size();
+    poses += document.library().poses.size();
+    keys += document.timeline().keys.size();
     const std::size_t count = test::edit_count(document.history());
     edits += count;
     std::size_t steps = 0;
