@@ -21,8 +21,9 @@ constexpr double reach = 0.02, touching = 0.001, way_around = 0.01;  // see part
 constexpr double farther = 4;  // limit for other parts, relative to the distance of the nearest other part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// Ratio of a coupling's strength within a part to the strength of solid material in the gap. Chosen by tests.
-constexpr double of_fold = 2;
+// Ratios of a coupling's strength, within a part and between parts, to the strength of solid material in the
+// gap. Chosen by tests. Stronger couplings keep vertices at the chords of large triangles that bend.
+constexpr double of_fold = 2, of_parts = 0.6;
 
 struct Neighbour {
   mesh::Triangle triangle;
@@ -130,7 +131,7 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
       const auto& [a, b, c] = triangle;
       const double beside = shares[0] * masses[a] + shares[1] * masses[b] + shares[2] * masses[c];
       const double filled = area * std::min(masses[used[i]], beside) / square;
-      const double strength = filled * (paths.part(a) == paths.part(used[i]) ? of_fold : 1);
+      const double strength = filled * (paths.part(a) == paths.part(used[i]) ? of_fold : of_parts);
       couplings.push_back({used[i], triangle, shares, std::min(strength, most_strength)});
     }
   }

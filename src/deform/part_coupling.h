@@ -30,8 +30,8 @@ inline constexpr double most_strength = 1e4;
 /// A corner of the triangle replaces a point if the corner is within 0.3 %, or within half of the distance d
 /// from the vertex to the point.
 ///
-/// The strength is m / d^2, at most 1e4; within a part, twice as much. m is the smaller of the areas that
-/// belong to the vertex and to the point. The surface's area is 1. m / d^2 is the Dirichlet energy of a
+/// The strength is 0.6 * m / d^2, within a part 2 * m / d^2, and at most 1e4. m is the smaller of the areas
+/// that belong to the vertex and to the point. The surface's area is 1. m / d^2 is the Dirichlet energy of a
 /// column with base m and height d, which fills the gap. So the couplings are strong across narrow gaps and
 /// weak across wide gaps. The surface must be welded; `masses` as in IntrinsicLaplacian. Results do not
 /// depend on the thread count.
