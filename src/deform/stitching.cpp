@@ -12,6 +12,7 @@
 #include "deform/laplacian.h"
 #include "deform/leaves.h"
 #include "deform/maps.h"
+#include "deform/point_weights.h"
 #include "deform/staged_engine.h"
 #include "mesh/point_index.h"
 #include "mesh/triangle.h"
@@ -138,15 +139,16 @@ private:
 
   std::vector<Stitching::Pin> pins_of(std::uint32_t handle, const mesh::Point& center) const {
     std::vector<Stitching::Pin> pins;
+    const double strength = pin_strength * handle_shape(cage_, Elements::face, handle).share;
     const auto triangles = nearest_triangles(center);
     for (const std::size_t t : triangles) {
       for (const auto v : model_.triangles[t])
-        pins.push_back({v, handle, pin_strength / static_cast<double>(triangles.size())});
+        pins.push_back({v, handle, strength / static_cast<double>(triangles.size())});
     }
     const double radius = holding_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
-      if (d < radius) pins.push_back({v, handle, pin_strength * std::pow((radius - d) / radius, 2)});
+      if (d < radius) pins.push_back({v, handle, strength * std::pow((radius - d) / radius, 2)});
     }
     return pins;
   }

@@ -15,8 +15,8 @@
 
 namespace viete::deform {
 
-/// The weight of a handle's pins at the corners of its nearest triangle. For comparison, the stiffness
-/// between neighbouring vertices is about 1, see stiffness_matrix().
+/// The weight of a handle's pins at the corners of its nearest triangle, times HandleShape::share. For
+/// comparison, the stiffness between neighbouring vertices is about 1, see stiffness_matrix().
 inline constexpr double pin_strength = 0.03;
 
 /// Pose-independent data of a stitching. Stitching finds the positions x' that minimise

@@ -71,6 +71,15 @@ std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatri
   return source;
 }
 
+// Returns the number of handles. Those of a polygon with a center count as n - 2, because all of them follow
+// the same n corners.
+double count_of_handles(const Cage& cage, Elements elements) {
+  double count = 0;
+  for (std::size_t h = 0; h < handle_count(cage, elements); ++h)
+    count += handle_shape(cage, elements, h).share;
+  return count;
+}
+
 // Returns the vertices that a handle owns, see OwnedVertices. Its distance decides, then its center.
 std::vector<OwnedVertices::Owned> nearest_to_handle(const mesh::Surface& model, const mesh::PointTree& tree,
                                                     const Cage& cage, Elements elements, std::size_t handle) {
@@ -86,7 +95,7 @@ std::vector<OwnedVertices::Owned> nearest_to_handle(const mesh::Surface& model, 
   for (const auto v : near)
     if (norm(model.positions[v] - center) <= least + slack) owned.push_back({v, 1});
   if (owned.size() > most_shared) owned.resize(1);
-  for (auto& one : owned) one.part = 1 / static_cast<double>(owned.size());
+  for (auto& one : owned) one.part = share / static_cast<double>(owned.size());
   return owned;
 }
 
@@ -121,12 +130,13 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
     if (share > 0) weighing.push_back(t);
   }
   if (weighing.empty()) return;
+  const double count = count_of_handles(cage, elements);
   const mesh::TriangleTree nearest_handle(x, weighing);
   std::vector<std::vector<std::uint32_t>> members(bodies.shares.size());
   std::vector<std::vector<std::vector<OwnedVertices::Owned>>> found(members.size());
   for (const auto v : used_vertices(model)) {
     const auto body = bodies.of_vertex[v];
-    if (bodies.shares[body] * static_cast<double>(k) >= least_body) members[body].push_back(v);
+    if (bodies.shares[body] * count >= least_body) members[body].push_back(v);
   }
   pool.for_blocks(members.size(), 1, [&](std::size_t body, std::size_t) {
     if (members[body].empty()) return;
@@ -160,7 +170,8 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
     : owned_(owned_vertices(joined, cage, weighting.elements, pool)),
       laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
-  std::vector<double> springs(joined.positions.size(), spring_per_handle * static_cast<double>(handles()));
+  std::vector<double> springs(joined.positions.size(),
+                              spring_per_handle * count_of_handles(cage, weighting.elements));
   couple_parts(joined, cage, weighting, springs, pool);
   // The springs of equally near vertices are together as strong as that of a single vertex.
   for (std::size_t v = 0; v < springs.size(); ++v)
@@ -190,7 +201,7 @@ void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, 
   const auto couplings = parted.joined(found_couplings);
   const bool plate = weighting.weights == Weights::biharmonic;
   laplacian_.stiffness = with_couplings(laplacian_.stiffness, plate ? couplings : by_corners(couplings));
-  const double k = static_cast<double>(handles());
+  const double k = count_of_handles(cage, weighting.elements);
   const Bodies found = bodies(parted.surface, paths, found_couplings, parted.masses, 1 / k);
   if (found.shares.size() == 1) return;
   own_in_bodies(owned_, joined, found, cage, weighting.elements, pool);

@@ -35,7 +35,7 @@ constexpr std::size_t solved_vertices(std::size_t vertices) {
 struct OwnedVertices {
   struct Owned {
     std::uint32_t vertex;
-    double part;  ///< 1 / (number of equally near vertices)
+    double part;  ///< HandleShape::share / (number of equally near vertices)
   };
   std::vector<std::vector<Owned>> of_handle;  ///< several vertices also if several bodies are near
   std::vector<double> owners;                 ///< the sum of the parts that handles own of each vertex
@@ -66,9 +66,10 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 ///
 ///     w^T * L * M^-1 * L * w + s * sum over owned vertices v of (w_v - t_v)^2,    s = number of handles.
 ///
-/// M contains the masses (total area 1). This is a thin plate on springs, see ThinPlate. Biharmonic weights
-/// are smoother than harmonic weights. They can be outside of [0, 1], and w_v is only approximately t_v.
-/// Published tools omit M, so their weights depend on the triangulation.
+/// The handles of a polygon with a center count as n - 2 in s. M contains the masses (total area 1). This is
+/// a thin plate on springs, see ThinPlate. Biharmonic weights are smoother than harmonic weights. They can be
+/// outside of [0, 1], and w_v is only approximately t_v. Published tools omit M, so their weights depend on
+/// the triangulation.
 ///
 /// Vertices at one position count as one vertex, so that seams, sharp edges and separate triangles do not
 /// tear. part_couplings() joins near parts and cracks in L. If there are several bodies, a handle owns a
