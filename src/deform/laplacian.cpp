@@ -57,8 +57,10 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
       const Vec3 half = half_cotangents(positions[t[0]], positions[t[1]], positions[t[2]]);
       for (int k = 0; k < 3; ++k) {
         const auto i = t[(k + 1) % 3], j = t[(k + 2) % 3];
-        add(i, i, half[k]), add(j, j, half[k]);
-        add(i, j, -half[k]), add(j, i, -half[k]);
+        add(i, i, half[k]);
+        add(j, j, half[k]);
+        add(i, j, -half[k]);
+        add(j, i, -half[k]);
       }
     }
   });

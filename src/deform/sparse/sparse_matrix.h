@@ -37,16 +37,17 @@ SparseMatrix sparse_matrix_of(std::size_t n, const ForEach& for_each) {
   for_each([&](std::uint32_t row, std::uint32_t, double) { ++rows.starts[row + 1]; });
   std::partial_sum(rows.starts.begin(), rows.starts.end(), rows.starts.begin());
   std::vector<std::int32_t> next(rows.starts.begin(), rows.starts.end() - 1);
-  rows.rows.resize(static_cast<std::size_t>(rows.starts.back())), rows.values.resize(rows.rows.size());
+  rows.rows.resize(static_cast<std::size_t>(rows.starts.back()));
+  rows.values.resize(rows.rows.size());
   for_each([&](std::uint32_t row, std::uint32_t column, double value) {
     const auto i = static_cast<std::size_t>(next[row]++);
-    rows.rows[i] = static_cast<std::int32_t>(column), rows.values[i] = value;
+    rows.rows[i] = static_cast<std::int32_t>(column);
+    rows.values[i] = value;
   });
   return transposed_sum(rows);
 }
 
-/// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle. In the
-/// columns of the result, the rows are not in ascending order.
+/// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle.
 SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places);
 
 /// Calls visit(row, value) for each entry of a column.
