@@ -168,10 +168,8 @@ private:
     }
     for (const auto& c : couplings_) {
       for_sides(c, [&](const mesh::Triangle& t, double, double) {
-        const auto a = t[0], b = t[1];
-        parts.join(a, b);
-        firm[a] |= firm[b];
-        firm[b] |= firm[a];
+        parts.join(t[0], t[1]);
+        firm[t[0]] = firm[t[1]] = std::max(firm[t[0]], firm[t[1]]);
       });
     }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;

@@ -322,12 +322,8 @@ bool is_fan(std::span<const Point> corners) {
   return Fan(others).least_area() <= least;
 }
 
-static bool draws_fan(std::span<const Point> corners) {
-  return corners.size() == 4 ? settled_corner(corners) != 1 : is_fan(corners);
-}
-
 std::vector<Triangle> triangulation(std::span<const Point> corners) {
-  if (draws_fan(corners)) return fan_of(corners.size());
+  if (is_fan(corners)) return fan_of(corners.size());
   if (corners.size() == 4) return {{0, 1, 3}, {1, 2, 3}};
   return EarClipper(corners, Fan(corners).normal()).cut();
 }
@@ -358,7 +354,7 @@ void triangulate(Surface& surface) {
     if (end - begin == 3) continue;
     places.clear();
     for (std::uint32_t c = begin; c < end; ++c) places.push_back(surface.positions[surface.corners[c]]);
-    if (draws_fan(places)) continue;
+    if (is_fan(places)) continue;
     for (const auto& [i, j, k] : triangulation(places))
       surface.clipped.push_back({begin + i, begin + j, begin + k});
   }

@@ -14,12 +14,11 @@ namespace viete::mesh {
 bool is_fan(std::span<const Point> corners);
 
 /// Returns n - 2 triangles for any polygon of n corners. Each triangle has three ascending indices into
-/// `corners`. Splits a quad at its better diagonal, see settled_corner(). If another polygon is_fan(),
-/// returns the fan. Otherwise clips ears with exact tests, beginning with the shortest cut. Makes thin
-/// triangles, and triangles without area, only if necessary: a corner in the middle of an edge is joined to
-/// the other corners. The polygon can be slightly non-planar, and can touch itself, for example at a bridge
-/// to a hole. Scaling or mirroring about the first corner does not change the result. O(n log n), except if
-/// ears span many corners.
+/// `corners`. If is_fan(), returns the fan. Otherwise clips ears
+/// with exact tests, beginning with the shortest cut. Makes thin triangles, and triangles without area, only
+/// if necessary: a corner in the middle of an edge is joined to the other corners. The polygon can be
+/// slightly non-planar, and can touch itself, for example at a bridge to a hole. Scaling or mirroring about
+/// the first corner does not change the result. O(n log n), except if ears span many corners.
 std::vector<Triangle> triangulation(std::span<const Point> corners);
 
 /// Triangulates all polygons at their current positions. Sets `triangles`, `triangle_polygon` and `clipped`.

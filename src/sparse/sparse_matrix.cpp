@@ -1,23 +1,9 @@
 #include "sparse/sparse_matrix.h"
 
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <utility>
 
 namespace viete::sparse {
-
-namespace {
-
-using EigensMatrix = Eigen::SparseMatrix<double>;
-
-SparseMatrix ours(const EigensMatrix& matrix) {
-  const auto count = matrix.nonZeros();
-  return {{matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1},
-          {matrix.innerIndexPtr(), matrix.innerIndexPtr() + count},
-          {matrix.valuePtr(), matrix.valuePtr() + count}};
-}
-
-}  // namespace
 
 SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries) {
   return sparse_matrix_of(n, [&](const auto& add) {
@@ -50,14 +36,12 @@ SparseMatrix transposed_sum(const SparseMatrix& matrix) {
 }
 
 SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places) {
-  const auto n = static_cast<int>(matrix.size());
-  const Eigen::Map<const EigensMatrix> view(n, n, matrix.starts.back(), matrix.starts.data(),
-                                            matrix.rows.data(), matrix.values.data());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
-  std::ranges::copy(places, permutation.indices().data());
-  EigensMatrix result(n, n);
-  result.selfadjointView<Eigen::Lower>() = view.selfadjointView<Eigen::Lower>().twistedBy(permutation);
-  return ours(result);
+  return sparse_matrix_of(matrix.size(), [&](const auto& add) {
+    for (std::uint32_t v = 0; v < matrix.size(); ++v)
+      for_column(matrix, v, [&](std::uint32_t row, double value) {
+        if (row >= v) add(std::max(places[row], places[v]), std::min(places[row], places[v]), value);
+      });
+  });
 }
 
 mesh::UnionFind connected(const SparseMatrix& matrix) {
@@ -69,7 +53,6 @@ mesh::UnionFind connected(const SparseMatrix& matrix) {
 
 SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free) {
   SparseMatrix lower;
-  lower.starts.reserve(free.size() + 1);
   lower.rows.reserve(matrix.rows.size());
   lower.values.reserve(matrix.rows.size());
   const auto add = [&](std::uint32_t row, double value) {

@@ -47,8 +47,7 @@ SparseMatrix sparse_matrix_of(std::size_t n, const ForEach& for_each) {
   return transposed_sum(rows);
 }
 
-/// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle. In the
-/// columns of the result, the rows are not in ascending order.
+/// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle.
 SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places);
 
 /// Calls visit(row, value) for each entry of a column.

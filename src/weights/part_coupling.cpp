@@ -11,6 +11,7 @@
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
+#include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 
 namespace viete::weights {
@@ -138,7 +139,8 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
   return couplings;
 }
 
-PartedSurface parted_surface(const mesh::Surface& surface, std::vector<double> masses) {
+PartedSurface parted_surface(const mesh::Surface& polygons, std::vector<double> masses) {
+  const mesh::Surface surface = mesh::split_unsettled(polygons, 0).surface;  // from any first corners
   PartedSurface parted{surface, std::move(masses), {}};
   const auto table = mesh::half_edges(surface.positions.size(), surface.triangles);
   mesh::UnionFind sets(surface.triangles.size());

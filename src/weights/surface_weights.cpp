@@ -19,7 +19,6 @@ namespace viete::weights {
 namespace {
 
 constexpr double factored_part = 0.4;  // fraction of the time before solve()
-constexpr double spring_per_handle = 1;
 // If a body's area is below this multiple of the mean area per handle, handles own no vertex in the body.
 constexpr double least_body = 0.1;
 // A handle is near a vertex up to this multiple of the distance from the vertex to its nearest handle.
@@ -173,8 +172,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
     : owned_(owned_vertices(joined, cage, weighting.elements, pool)),
       laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
-  std::vector<double> springs(joined.positions.size(),
-                              spring_per_handle * count_of_handles(cage, weighting.elements));
+  std::vector<double> springs(joined.positions.size(), count_of_handles(cage, weighting.elements));
   couple_parts(joined, cage, weighting, springs, pool);
   // The springs of equally near vertices are together as strong as that of a single vertex.
   for (std::size_t v = 0; v < springs.size(); ++v)
