@@ -225,8 +225,7 @@ workspace::MethodStats measure_methods(std::span<const Matrix> matrices) {
   workspace::MethodStats stats;
   if (matrices.empty()) return stats;
   std::vector<Matrix> out(matrices.size());
-  std::array < std::vector<double>;
-  compared_methods.size() > seconds;
+  std::array<std::vector<double>, compared_methods.size()> seconds;
   for (std::size_t round = 0; round < timed_rounds; ++round) {
     for (std::size_t m = 0; m < seconds.size(); ++m) {
       const double start = base::thread_seconds();

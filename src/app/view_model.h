@@ -299,11 +299,9 @@ private:
   bool lacks_error(std::size_t side) const;
 
   std::unique_ptr<base::WorkerPool> pool_;  // exists while there are side views
-  std::array < SideModel;
-  workspace::Split::most - 1 > models_;
-  std::array < unsigned long;
-  workspace::Split::most - 1 > measured_{};  // number of the last measured frame
-  double measured_at_ = -1;                  // time of the last measurement, in wall seconds
+  std::array<SideModel, workspace::Split::most - 1> models_;
+  std::array<unsigned long, workspace::Split::most - 1> measured_{};  // number of the last measured frame
+  double measured_at_ = -1;  // time of the last measurement, in wall seconds
 };
 
 }  // namespace viete::app

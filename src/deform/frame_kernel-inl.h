@@ -270,12 +270,8 @@ static void place_tiles(const TileRun& run, const float* rest, const float* offs
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
     Sums<shape.columns> s;
     blend_group<shape.columns>(run, g, s);
-    add_mean < shape.with_mean;
-    shape.columns > (run, s);
-    if (run.shares) {
-      share_sums < shape.center;
-      shape.columns > (run, rest, g, s);
-    }
+    add_mean<shape.with_mean, shape.columns>(run, s);
+    if (run.shares) share_sums<shape.center, shape.columns>(run, rest, g, s);
     const auto sum = [&](std::size_t c) HWY_ATTR { return column<shape.columns>(s, c); };
     const auto at_rest = [&]() HWY_ATTR { return load_rests(rest, g); };
     const auto offset = [&]() HWY_ATTR { return load_offsets(run, offsets, g); };

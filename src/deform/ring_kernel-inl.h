@@ -309,8 +309,7 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
                                        const float* inverse_sum, const std::uint32_t* order,
                                        pose::FrameVertex* vertices) {
   const ManyPoints d;
-  decltype(zero(d)) normals[4];
-  positions[4];
+  decltype(zero(d)) normals[4], positions[4];
   load_four(d, areas, normals);
   load_four(d, run.positions + 4 * (run.first + s), positions);
   normalise(d, load(d, inverse_sum), normals);

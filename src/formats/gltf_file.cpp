@@ -65,10 +65,8 @@ Chunks chunks_of(const Source& source) {
 // the search for a member is linear.
 void check_shape(const Source& source, std::string_view text) {
   constexpr std::size_t deepest = 64, most_members = 4096;
-  std::array < std::size_t;
-  deepest + 1 > members{};
-  std::array < bool;
-  deepest + 1 > is_object{};
+  std::array<std::size_t, deepest + 1> members{};
+  std::array<bool, deepest + 1> is_object{};
   std::size_t depth = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -68,8 +68,7 @@ struct MethodSample {
 
 /// Results of all methods on the same matrices; measured in the background, a few times a second.
 struct MethodStats {
-  std::array < MethodSample;
-  compared_methods.size() > samples{};
+  std::array<MethodSample, compared_methods.size()> samples{};
   std::size_t matrices = 0;  ///< size of the sample; 0 before the first measurement
 };
 
@@ -77,8 +76,7 @@ struct MethodStats {
 struct MethodTimes {
   static constexpr std::size_t fused = compared_methods.size();
   /// compared_methods in the staged or stitched engine, then `fast` in the fused engine; all 0: not measured
-  std::array < pose::StageTimes;
-  fused + 1 > stages{};
+  std::array<pose::StageTimes, fused + 1> stages{};
   double fused_error = 0;  ///< of the frame in the fused engine: see Deformer::sampled_error()
   bool measured = false;   ///< true: measured in the background; false: times of drawn frames
   bool busy = false;       ///< see FrameTimes::busy
