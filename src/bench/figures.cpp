@@ -20,7 +20,7 @@ public:
       : space_(space),
         shape_(shape),
         vector_(space.vector(shape, pool_)),
-        held_(space_.logs().held_between(space_.logs().at_rest(), vector_)) {}
+        anchors_(space_.logs().anchors_between(space_.logs().at_rest(), vector_)) {}
 
   Points linear(double share) const {
     Points line;
@@ -31,7 +31,7 @@ public:
   Points in_log_space(double share) {
     const shapes::LogTerm term{&vector_, share};
     Points positions(shape_.size());
-    space_.shape({&term, 1}, held_, pool_, work_, positions);
+    space_.shape({&term, 1}, anchors_, pool_, work_, positions);
     return positions;
   }
 
@@ -40,7 +40,7 @@ private:
   const shapes::ShapeSpace& space_;
   const Points& shape_;
   shapes::LogVector vector_;
-  shapes::Held held_;
+  shapes::AnchorWeights anchors_;
   shapes::LogSpace::Work work_;
 };
 

@@ -104,7 +104,7 @@ double ExactDeformer::place(const weights::Binding& part, const weights::SharedS
   const auto sums = stitching_ ? std::span(sums_).subspan(begin * columns, positions.size() * columns)
                                : std::span<double>();
   const std::vector<Vec3> displacements = this->displacements(part, shape, begin);
-  return place_vertices({part, part.shares, displacements}, state_.rows(), method_, positions, sums);
+  return apply_to_vertices({part, part.shares, displacements}, state_.rows(), method_, positions, sums);
 }
 
 void ExactDeformer::stitch_positions(std::span<const Vec3> displacements,
@@ -163,8 +163,8 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const pose
                           const pose::Deformer& deformer, const pose::Pose& pose, sym3::Method method,
                           base::WorkerPool& pool, base::Progress* progress, const weights::Mask& mask,
                           const pose::Probes& probes, const weights::SharedShape& shape) {
-  ExactDeformer exact(model, std::move(cage), deformer, method, pool, ExactDeformer::Weights::dropped,
-                         mask, progress);
+  ExactDeformer exact(model, std::move(cage), deformer, method, pool, ExactDeformer::Weights::dropped, mask,
+                      progress);
   return exact.deform(pose, probes, shape, progress);
 }
 

@@ -27,7 +27,7 @@ struct ExactModel {
   std::vector<mesh::Point> positions;  ///< one per vertex
   pose::LogReport report;              ///< as CageState::report()
   std::vector<std::string> warnings;   ///< as Binding::warnings
-  double exp_error = 0;                ///< largest error of an exponential, see place_vertices()
+  double exp_error = 0;                ///< largest error of an exponential, see apply_to_vertices()
 };
 
 /// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most

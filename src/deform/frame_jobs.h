@@ -16,8 +16,8 @@ struct TileRun {
   const float* weights = nullptr;  ///< [tile][row][lane]
   const float* table = nullptr;    ///< [row][column]
   const float* base = nullptr;     ///< initial values of the sums, [tile][sum][lane]; null: 0
-  const float* mean = nullptr;     ///< [RowShape::with_mean], added to the sums by TileKernel::place; null: 0
-  const float* shares = nullptr;   ///< [tile][lane], only for TileKernel::place, see Shares; null: all 1
+  const float* mean = nullptr;     ///< [RowShape::with_mean], added to the sums by TileKernel::apply; null: 0
+  const float* shares = nullptr;   ///< [tile][lane], only for TileKernel::apply, see Shares; null: all 1
   const std::uint32_t* listed = nullptr;  ///< for each row of weights, its row of `table`; null: same index
   const float* rest_moments = nullptr;    ///< [tile][rest_moment_lines][lane], only for moment forms
 };
@@ -44,7 +44,7 @@ struct TileKernel {
   /// Writes the weighted sums of rows to sums [tile][sum][lane].
   void (*blend)(const TileRun& run, float* sums);
   /// Writes positions to out [slot] as x y z x. `rest` and `offsets` are x and o of RowForm, [tile][3][lane].
-  void (*place)(const TileRun& run, const float* rest, const float* offsets, float* out);
+  void (*apply)(const TileRun& run, const float* rest, const float* offsets, float* out);
 };
 
 }  // namespace viete::deform

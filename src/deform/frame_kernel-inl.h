@@ -264,7 +264,7 @@ struct ByPositions {
 };
 
 template <class Move>
-static void place_tiles(const TileRun& run, const float* rest, const float* offsets, float* out) {
+static void apply_tiles(const TileRun& run, const float* rest, const float* offsets, float* out) {
   constexpr pose::RowShape shape = Move::shape;
   const Tag d;
   for (std::size_t g = 0; g < group_count(run); g += vectors_at_once) {
@@ -281,7 +281,7 @@ static void place_tiles(const TileRun& run, const float* rest, const float* offs
 
 template <class Move>
 static constexpr TileKernel tile_kernel() {
-  return {Move::shape.columns, blend_tiles<Move::shape.columns>, place_tiles<Move>};
+  return {Move::shape.columns, blend_tiles<Move::shape.columns>, apply_tiles<Move>};
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

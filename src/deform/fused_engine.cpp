@@ -120,7 +120,7 @@ std::size_t FusedEngine::bytes() const {
 void FusedEngine::run(const pose::CageState& state, sym3::Method) {
   base::Stopwatch watch;
   prepare(state);
-  place_vertices();
+  apply_to_vertices();
   times_[pose::Stage::fused] = watch.lap_ms() - times_[pose::Stage::skeleton];
   finish(watch);
 }
@@ -418,7 +418,7 @@ TileRun FusedEngine::frame_run(std::size_t leaf) const {
           .rest_moments = run.rest_moments};
 }
 
-void FusedEngine::place_vertices() {
+void FusedEngine::apply_to_vertices() {
   const weights::TiledBinding& b = *binding_;
   // If probes move positions in this frame, the next frame must recompute all positions.
   const bool placed = dragging_ && std::exchange(drag_.placed, !layer_);
@@ -429,7 +429,7 @@ void FusedEngine::place_vertices() {
     TileRun run = frame_run(leaf);
     run.mean = mean_.data();
     if (!shares_.empty()) run.shares = shares_.data() + begin;
-    tiles_.place(run, rest_.empty() ? nullptr : rest_.data() + begin * 3, offsets().data() + begin * 3,
+    tiles_.apply(run, rest_.empty() ? nullptr : rest_.data() + begin * 3, offsets().data() + begin * 3,
                  positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
   });
 }

@@ -70,7 +70,7 @@ private:
   TileRun leaf_run(std::size_t leaf, const float* table) const;
   TileRun frame_run(std::size_t leaf) const;
   void share(std::size_t slot, double* sums) const;
-  void place_vertices();
+  void apply_to_vertices();
   void move_by_probes();
   void compute_normals();
   void finish(base::Stopwatch& watch);

@@ -82,8 +82,8 @@ Vec3 fitted(pose::RowForm form, const Moments& moments, const Vec3& o, double le
 
 }  // namespace
 
-void place_by_moments(const weights::VertexBlock& block, const pose::Rows& rows, std::size_t begin,
-                      std::size_t end, std::span<mesh::Point> positions) {
+void apply_moments(const weights::VertexBlock& block, const pose::Rows& rows, std::size_t begin,
+                   std::size_t end, std::span<mesh::Point> positions) {
   const weights::Binding& binding = block.binding;
   for (std::size_t i = begin; i < end; ++i) {
     positions[i] = block.rest(i);

@@ -32,8 +32,8 @@ using mesh::Vec3;
 ///
 /// Negative (biharmonic) weights affect only the sums of w * p and w * p'. In K, negative weights could
 /// cancel other weights. Shares scale the displacements. Each vertex is independent of other vertices.
-void place_by_moments(const weights::VertexBlock& block, const pose::Rows& rows, std::size_t begin,
-                      std::size_t end, std::span<mesh::Point> positions);
+void apply_moments(const weights::VertexBlock& block, const pose::Rows& rows, std::size_t begin,
+                   std::size_t end, std::span<mesh::Point> positions);
 
 /// Rest data of one vertex for the fused engine. To avoid cancellation, this engine computes B with a point n
 /// near m in place of m, because a float cannot be exactly m:

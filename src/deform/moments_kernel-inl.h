@@ -219,7 +219,7 @@ static HWY_INLINE void keep_shares(const float* shares, const float* rest, float
 }
 
 template <class Fit>
-static void place_moments(const TileRun& run, const float* rest, const float* offsets, float* out) {
+static void apply_moment_tiles(const TileRun& run, const float* rest, const float* offsets, float* out) {
   HWY_ALIGN float sums[moment_sums * line_lanes], moved[3 * line_lanes];
   for (std::size_t t = 0; t < run.tiles; ++t) {
     TileRun one = run;
@@ -237,7 +237,7 @@ static void place_moments(const TileRun& run, const float* rest, const float* of
 
 template <class Fit>
 static constexpr TileKernel moment_kernel() {
-  return {moment_sums, sum_moments, place_moments<Fit>};
+  return {moment_sums, sum_moments, apply_moment_tiles<Fit>};
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

@@ -258,7 +258,7 @@ void ProbeTiles::move(const ProbeLayer& layer, std::size_t leaf, const TileKerne
   run.rows = rows;
   run.weights = own.weights.data();
   run.table = table.data();
-  logs.place(run, offsets.data(), offsets.data(), positions);
+  logs.apply(run, offsets.data(), offsets.data(), positions);
 }
 
 }  // namespace viete::deform

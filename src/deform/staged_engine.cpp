@@ -123,7 +123,7 @@ void apply(const weights::VertexBlock& block, pose::RowForm form, Sums sums,
     } else if (form == pose::RowForm::positions) {
       moved = three(s, 0) + block.share(i) * block.offset(i);
     } else {
-      assert(form == pose::RowForm::logs);  // for moments, see place_by_moments()
+      assert(form == pose::RowForm::logs);  // for moments, see apply_moments()
       const Vec3 stretched = pose::times(stretches[i], block.share(i) * block.offset(i));
       moved = pose::times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9);
     }
@@ -138,7 +138,7 @@ void stretch_logs(Sums sums, std::size_t begin, std::size_t end, std::span<Stret
   }
 }
 
-double place_sums(const weights::VertexBlock& block, pose::RowForm form, Sums sums, const Vec3& origin,
+double apply_sums(const weights::VertexBlock& block, pose::RowForm form, Sums sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error) {
   std::vector<Stretch> logs(form == pose::RowForm::logs ? positions.size() : 0), stretches(logs.size());
   stretch_logs(sums, 0, logs.size(), logs);
@@ -147,17 +147,17 @@ double place_sums(const weights::VertexBlock& block, pose::RowForm form, Sums su
   return error && method != sym3::Method::fast ? worst_difference(stretches, logs) : 0;
 }
 
-double place_vertices(const weights::VertexBlock& block, const pose::Rows& rows, sym3::Method method,
-                      std::span<mesh::Point> positions, std::span<double> sums) {
+double apply_to_vertices(const weights::VertexBlock& block, const pose::Rows& rows, sym3::Method method,
+                         std::span<mesh::Point> positions, std::span<double> sums) {
   const std::size_t n = positions.size();
   if (has_moments(rows.form)) {
-    place_by_moments(block, rows, 0, n, positions);
+    apply_moments(block, rows, 0, n, positions);
     return 0;
   }
   std::vector<double> own(sums.empty() ? n * rows.columns() : 0);
   if (sums.empty()) sums = own;
   blend(block, rows, 0, n, sums);
-  return place_sums(block, rows.form, sums, rows.origin, method, positions, true);
+  return apply_sums(block, rows.form, sums, rows.origin, method, positions, true);
 }
 
 StagedEngine::StagedEngine(std::shared_ptr<const weights::Binding> binding, pose::RowForm form,
@@ -191,7 +191,7 @@ void StagedEngine::run(const pose::CageState& state, sym3::Method method) {
   if (has_moments(rows.form)) {
     // One step computes the sums and the map of a vertex, because some sums depend on other sums.
     run_stage(pose::Stage::blend, [&](std::size_t begin, std::size_t end) {
-      place_by_moments(block, rows, begin, end, positions_);
+      apply_moments(block, rows, begin, end, positions_);
     });
   } else {
     run_stage(pose::Stage::blend, [&](std::size_t begin, std::size_t end) {

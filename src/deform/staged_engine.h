@@ -33,8 +33,8 @@ void apply(const weights::VertexBlock& block, pose::RowForm form, std::span<cons
            std::size_t end, std::span<mesh::Point> positions);
 
 /// Runs the steps exp and apply for all vertices, given their sums. If `error` is true, returns the largest
-/// relative difference of the exponentials, as place_vertices() does; otherwise returns 0.
-double place_sums(const weights::VertexBlock& block, pose::RowForm form, std::span<const double> sums,
+/// relative difference of the exponentials, as apply_to_vertices() does; otherwise returns 0.
+double apply_sums(const weights::VertexBlock& block, pose::RowForm form, std::span<const double> sums,
                   const Vec3& origin, sym3::Method method, std::span<mesh::Point> positions,
                   bool error = false);
 
@@ -42,8 +42,8 @@ double place_sums(const weights::VertexBlock& block, pose::RowForm form, std::sp
 /// not empty and the form has no moments, writes the result of blend() to `sums`. Returns the largest
 /// relative difference (Frobenius norm) between the exponentials of `method` and of `fast`; `fast` is exact
 /// to 1e-15. Returns infinity for NaN, and 0 for `fast` or without exponentials.
-double place_vertices(const weights::VertexBlock& block, const pose::Rows& rows, sym3::Method method,
-                      std::span<mesh::Point> positions, std::span<double> sums = {});
+double apply_to_vertices(const weights::VertexBlock& block, const pose::Rows& rows, sym3::Method method,
+                         std::span<mesh::Point> positions, std::span<double> sums = {});
 
 class StagedEngine : public Engine {
 public:

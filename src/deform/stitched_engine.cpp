@@ -172,7 +172,7 @@ void Stitcher::place_pins(const pose::Rows& rows, sym3::Method method) {
                 sums.begin() + std::ptrdiff_t(i * columns));
   const weights::VertexBlock pins{stitching_.pinned, pin_shares_, pin_displacements_};
   apply_shares(pins, rows.form, 0, n, sums);
-  place_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
+  apply_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
 
 inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
@@ -361,7 +361,7 @@ std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices,
   std::vector<Vec3> positions(vertices.size());
   const weights::Shares shares = mesh::picked(std::span(shares_), vertices);
   const auto displacements = mesh::picked(displacements_, vertices);
-  place_sums({some, shares, displacements}, form_, sums, {0, 0, 0}, method, positions);
+  apply_sums({some, shares, displacements}, form_, sums, {0, 0, 0}, method, positions);
   return positions;
 }
 

@@ -57,7 +57,7 @@ double sampled_error(const weights::Weigher& weigher, const weights::Binding& bi
   auto exact = mesh::picked(std::span(*binding.rest), vertices);
   const weights::Binding part = bind_part(weigher, exact, binding.tiles->sample).binding;
   const weights::Shares shares = weights::product(part.shares, mesh::picked(weights::values(mask), vertices));
-  place_vertices({part, shares, mesh::picked(displacements, vertices)}, rows, sym3::Method::fast, exact);
+  apply_to_vertices({part, shares, mesh::picked(displacements, vertices)}, rows, sym3::Method::fast, exact);
   if (layer && layer->moves()) move_by(*layer, vertices, rows.origin, exact);
   double worst = 0;
   for (std::size_t i = 0; i < exact.size(); ++i)

@@ -139,7 +139,7 @@ Animation::Animation(const Timeline& timeline, VectorCache& vectors)
     turns = vectors_.back()->turns;
   }
   for (std::size_t i = 0; i + 1 < vectors_.size(); ++i)
-    held_.push_back(space_->logs().held_between(*vectors_[i], *vectors_[i + 1]));
+    anchors_.push_back(space_->logs().anchors_between(*vectors_[i], *vectors_[i + 1]));
 }
 
 void Animation::take_farthest(std::span<const mesh::Point> positions) {
@@ -157,7 +157,7 @@ void Animation::add_shapes(VectorCache& vectors) {
   }
   if (!timeline_.linear) notes_ = shape_notes(reports);
   for (std::size_t i = 0; i + 1 < shape_vectors_.size(); ++i)
-    held_shapes_.push_back(shapes_->logs().held_between(*shape_vectors_[i], *shape_vectors_[i + 1]));
+    shape_anchors_.push_back(shapes_->logs().anchors_between(*shape_vectors_[i], *shape_vectors_[i + 1]));
 }
 
 WholePose Animation::key(std::size_t key) const {
@@ -183,7 +183,7 @@ WholePose Animation::blend(const Moment& moment, bool linear) const {
   if (!space_) return pose;
   std::vector<shapes::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
-  pose.cage = linear ? space_->linear(terms) : space_->pose(terms, held_[moment.from]);
+  pose.cage = linear ? space_->linear(terms) : space_->pose(terms, anchors_[moment.from]);
   return pose;
 }
 
@@ -191,7 +191,7 @@ SharedShape Animation::blended_shape(const Moment& moment, bool linear) const {
   std::vector<shapes::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({shape_vectors_[key].get(), factor});
   base::WorkerPool pool;
-  return blended(*shapes_, terms, linear ? nullptr : &held_shapes_[moment.from], pool);
+  return blended(*shapes_, terms, linear ? nullptr : &shape_anchors_[moment.from], pool);
 }
 
 namespace {
@@ -227,11 +227,11 @@ void keep_flat(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm>
 }
 
 SharedShape blended(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
-                    const shapes::Held* held, base::WorkerPool& pool) {
+                    const shapes::AnchorWeights* anchors, base::WorkerPool& pool) {
   std::vector<mesh::Point> positions(space.rest().size());
-  if (held) {
+  if (anchors) {
     shapes::LogSpace::Work work;
-    space.shape(terms, *held, pool, work, positions);
+    space.shape(terms, *anchors, pool, work, positions);
   } else {
     space.linear(terms, positions);
   }
@@ -257,8 +257,8 @@ SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> te
   }
   if (notes && !linear) *notes = shape_notes(reports);
   if (linear) return blended(space, sum, nullptr, pool);
-  const shapes::Held held = space.logs().held_from(space.logs().at_rest(), sum);
-  return blended(space, sum, &held, pool);
+  const shapes::AnchorWeights anchors = space.logs().anchors_from(space.logs().at_rest(), sum);
+  return blended(space, sum, &anchors, pool);
 }
 
 std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports) {

@@ -20,10 +20,10 @@ struct ShapeTerm {
   double factor;
 };
 
-/// Returns the sum of the terms. If `held` is null, blends vertex positions linearly. Otherwise blends in log
-/// space, and applies shapes::hold(). A vertex that is at rest in all terms stays exactly at rest.
+/// Returns the sum of the terms. If `anchors` is null, blends vertex positions linearly. Otherwise blends in
+/// log space, and applies shapes::hold(). A vertex that is at rest in all terms stays exactly at rest.
 SharedShape blended(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
-                    const shapes::Held* held, base::WorkerPool& pool);
+                    const shapes::AnchorWeights* anchors, base::WorkerPool& pool);
 
 /// If all rest vertices have the same x, and no term changes x, sets x of all positions to exactly this
 /// value. Does the same for y and z.
@@ -114,11 +114,11 @@ private:
   double farthest_ = most_drawn;  // largest allowed coordinate: max(most_drawn, all keys' coordinates)
   std::shared_ptr<const shapes::PoseSpace> space_;
   std::vector<std::shared_ptr<const shapes::LogVector>> vectors_;  // one per key; null without a cage
-  std::vector<shapes::Held> held_;                                 // one per interval between keys
+  std::vector<shapes::AnchorWeights> anchors_;                     // one per interval between keys
 
   std::shared_ptr<const shapes::ShapeSpace> shapes_;  // null if no key has a shape
   std::vector<std::shared_ptr<const shapes::LogVector>> shape_vectors_;
-  std::vector<shapes::Held> held_shapes_;
+  std::vector<shapes::AnchorWeights> shape_anchors_;
   std::vector<std::string> notes_;
 };
 

@@ -39,9 +39,9 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
   for (const ShapeTerm& term : shapes) terms.push_back({vector_of(term.shape), term.factor});
   const shapes::LogVector* base = vector_of(from);
   const shapes::ShapeSpace& space = *vectors.shapes(pool);
-  const shapes::Held held = space.logs().held_from(*base, terms);
+  const shapes::AnchorWeights anchors = space.logs().anchors_from(*base, terms);
   terms.push_back({base, 1});
-  return blended(space, terms, state.timeline.linear ? nullptr : &held, pool);
+  return blended(space, terms, state.timeline.linear ? nullptr : &anchors, pool);
 }
 
 // Returns the pose `from` plus `sign` * the mix of the state's library.
@@ -58,9 +58,9 @@ WholePose mix_of(const Document& document, const DocumentState& state, VectorCac
   std::vector<shapes::LogTerm> terms;
   for (const NamedPose& named : state.library.poses)
     if (named.weight != 0) terms.push_back({vectors.of(named.pose).get(), sign * named.weight});
-  const shapes::Held held = vectors.space()->logs().held_from(*base, terms);
+  const shapes::AnchorWeights anchors = vectors.space()->logs().anchors_from(*base, terms);
   terms.push_back({base.get(), 1});
-  pose.cage = state.timeline.linear ? vectors.space()->linear(terms) : vectors.space()->pose(terms, held);
+  pose.cage = state.timeline.linear ? vectors.space()->linear(terms) : vectors.space()->pose(terms, anchors);
   return pose;
 }
 

@@ -101,8 +101,8 @@ std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
   if (const auto* only = impl_->only(weights, sum)) return library::outside(*only->shape);
   const shapes::ShapeSpace& space = impl_->space();
   if (sum.empty()) return library::outside(space.rest());
-  const shapes::Held held = space.logs().held_from(space.logs().at_rest(), sum);
-  return sum_outside(*document::blended(space, sum, &held, impl_->pool));
+  const shapes::AnchorWeights anchors = space.logs().anchors_from(space.logs().at_rest(), sum);
+  return sum_outside(*document::blended(space, sum, &anchors, impl_->pool));
 }
 
 std::vector<Point3> ShapeSpace::between(double at, bool linear) const {
@@ -168,7 +168,7 @@ std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
   if (sum.empty()) return library::outside(impl_->cage->surface.positions);
   const shapes::PoseSpace& space = *impl_->known.space();
   const shapes::LogSpace& logs = space.logs();
-  return sum_outside(space.pose(sum, logs.held_from(logs.at_rest(), sum)).positions);
+  return sum_outside(space.pose(sum, logs.anchors_from(logs.at_rest(), sum)).positions);
 }
 
 std::vector<Point3> PoseSpace::between(double at, bool linear) const {

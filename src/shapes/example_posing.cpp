@@ -367,8 +367,8 @@ double ExamplePosing::advance(std::span<const mesh::Point> targets, const Posing
   const Eigen::MatrixXd forces = stiffness * off;
   const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(weights_.data(), m) -
                                   Eigen::Map<const Eigen::VectorXd>(usual_weights_.data(), m);
-  const double held = settings.restraint * area_;
-  const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
+  const double pull = settings.restraint * area_;
+  const double energy = off.cwiseProduct(forces).sum() + pull * weights.squaredNorm();
   if (energy > energy_) {  // the last step was too long, so undo the step and increase the damping
     weights_ = last_weights_;
     turn_ = last_turn_;
@@ -388,8 +388,8 @@ double ExamplePosing::advance(std::span<const mesh::Point> targets, const Posing
   }
   Eigen::MatrixXd normal = reach.changes.transpose() * pulled;
   Eigen::VectorXd right = pulled.transpose() * off.transpose().reshaped();
-  normal.topLeftCorner(m, m).diagonal().array() += held;
-  right.head(m) -= held * weights;
+  normal.topLeftCorner(m, m).diagonal().array() += pull;
+  right.head(m) -= pull * weights;
   normal.diagonal() += damping_ * normal.diagonal() +
                        Eigen::VectorXd::Constant(m + 3, least_damping * (normal.trace() + 1e-300));
   Eigen::VectorXd step = normal.ldlt().solve(right);

@@ -433,8 +433,8 @@ void LogSpace::linear(std::span<const LogTerm> terms, std::span<mesh::Point> pos
     positions[v] = rest_[v] + summed(terms, &LogVector::displacements, v);
 }
 
-void LogSpace::shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
-                     std::span<mesh::Point> positions) const {
+void LogSpace::shape(std::span<const LogTerm> terms, const AnchorWeights& anchors, base::WorkerPool& pool,
+                     Work& work, std::span<mesh::Point> positions) const {
   follow(terms, pool, work);
   work.straight.resize(rest_.size());
   pool.for_blocks(rest_.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
@@ -445,11 +445,11 @@ void LogSpace::shape(std::span<const LogTerm> terms, const Held& held, base::Wor
                                   : work.displacements[v] + summed(terms, &LogVector::leftovers, v);
     }
   });
-  hold(parts_, held, work.straight, work.displacements);
+  keep_anchors(parts_, anchors, work.straight, work.displacements);
   for (std::size_t v = 0; v < rest_.size(); ++v) positions[v] = work.displacements[v] + rest_[v];
 }
 
-Held LogSpace::held_from(const LogVector& from, std::span<const LogTerm> terms) const {
+AnchorWeights LogSpace::anchors_from(const LogVector& from, std::span<const LogTerm> terms) const {
   std::vector<Vec3> displacements(rest_.size());
   std::vector<double> squares(rest_.size());
   for (std::size_t v = 0; v < displacements.size(); ++v) {
@@ -457,25 +457,25 @@ Held LogSpace::held_from(const LogVector& from, std::span<const LogTerm> terms) 
     for (const auto& [vector, factor] : terms)
       squares[v] += std::abs(factor) * squared_norm(vector->displacements[v]);
   }
-  return held_along(from, displacements, squares);
+  return anchors_along(from, displacements, squares);
 }
 
-Held LogSpace::held_between(const LogVector& from, const LogVector& to) const {
+AnchorWeights LogSpace::anchors_between(const LogVector& from, const LogVector& to) const {
   std::vector<Vec3> displacements(rest_.size());
   std::vector<double> squares(rest_.size());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     displacements[v] = to.displacements[v] - from.displacements[v];
     squares[v] = squared_norm(displacements[v]);
   }
-  return held_along(from, displacements, squares);
+  return anchors_along(from, displacements, squares);
 }
 
-Held LogSpace::held_along(const LogVector& from, std::span<const Vec3> displacements,
-                          std::span<const double> squares) const {
+AnchorWeights LogSpace::anchors_along(const LogVector& from, std::span<const Vec3> displacements,
+                                      std::span<const double> squares) const {
   std::vector<mesh::Point> start(rest_.size());
   const LogTerm whole{&from, 1};
   linear({&whole, 1}, start);
-  return held(parts_, start, displacements, squares);
+  return anchor_weights(parts_, start, displacements, squares);
 }
 
 }  // namespace viete::shapes

@@ -13,7 +13,7 @@
 #include "mesh/adjacency.h"
 #include "mesh/surface.h"
 #include "mesh/union_find.h"
-#include "shapes/held.h"
+#include "shapes/anchors.h"
 #include "shapes/plane_kernel.h"
 #include "sparse/sparse_cholesky.h"
 #include "sym3/rotation.h"
@@ -64,8 +64,8 @@ Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member
 ///
 /// A second step moves the rotations of doubtful triangles (see LogVector::Doubt) towards rotations that best
 /// fit the positions, and solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007).
-/// This keeps edge lengths if the rotations of neighbours differ strongly. The anchors (see Held) determine
-/// the translations of the parts.
+/// This keeps edge lengths if the rotations of neighbours differ strongly. The anchors (see AnchorWeights)
+/// determine the translations of the parts.
 ///
 /// A coupling of the vertices a and b keeps the map of a triangle at a, M, between them: it adds the energy
 /// strength * |(p_a - p_b) - M * (rest_a - rest_b)|^2, and its two parts count as one.
@@ -94,7 +94,7 @@ public:
   LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   const std::vector<mesh::Point>& rest() const { return rest_; }
-  const HangingParts& parts() const { return parts_; }
+  const AnchoredParts& parts() const { return parts_; }
 
   LogVector at_rest() const;
   /// Computes vector.displacements and vector.leftovers for the shape `positions`, from vector.logs and
@@ -102,12 +102,12 @@ public:
   void complete(std::span<const mesh::Point> positions, base::WorkerPool& pool, LogVector& vector) const;
 
   /// Returns the anchors of the motion that adds `terms` to the shape `from`; continuous in the factors.
-  Held held_from(const LogVector& from, std::span<const LogTerm> terms) const;
-  Held held_between(const LogVector& from, const LogVector& to) const;
+  AnchorWeights anchors_from(const LogVector& from, std::span<const LogTerm> terms) const;
+  AnchorWeights anchors_between(const LogVector& from, const LogVector& to) const;
 
   /// Computes the shape of a sum. positions.size() must be rest().size(). The number of threads does not
   /// change the result.
-  void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
+  void shape(std::span<const LogTerm> terms, const AnchorWeights& anchors, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
   /// The first step of shape(): sets work.displacements to the displacements that fit the sum's logs, without
   /// leftovers. One vertex of each part does not move. If `whole` is not null, *whole is used as whole turn
@@ -155,8 +155,8 @@ private:
   void spread_places(Work& work) const;
   void fit_doubtful(std::span<const LogTerm> terms, Work& work) const;
   void sum_doubts(std::span<const LogTerm> terms, Work& work) const;
-  Held held_along(const LogVector& from, std::span<const Vec3> displacements,
-                  std::span<const double> squares) const;
+  AnchorWeights anchors_along(const LogVector& from, std::span<const Vec3> displacements,
+                              std::span<const double> squares) const;
 
   std::vector<mesh::Point> rest_;
   std::size_t part_count_;
@@ -169,7 +169,7 @@ private:
   base::AlignedVector<double> sides_;     // sides and half cotangents, block by block, see PlaneKernel::pull
   std::vector<std::uint32_t> places_;     // per vertex: its place, which is the first vertex at its position
   mesh::Adjacency around_;  // per place: 3 * i + k for each corner k of triangles_[i] at the place
-  HangingParts parts_;
+  AnchoredParts parts_;
   std::vector<std::uint32_t> copies_;    // vertices that are not places
   std::vector<std::uint32_t> grounded_;  // one fixed place per part
   sparse::SparseCholesky factors_;

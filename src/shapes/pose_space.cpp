@@ -74,11 +74,11 @@ std::vector<Vec3> PoseSpace::turns(std::span<const LogTerm> terms) const {
   return turns;
 }
 
-pose::Pose PoseSpace::pose(std::span<const LogTerm> terms, const Held& held) const {
+pose::Pose PoseSpace::pose(std::span<const LogTerm> terms, const AnchorWeights& anchors) const {
   pose::Pose pose{std::vector<mesh::Point>(logs_.rest().size()), turns(terms)};
   base::WorkerPool one(1);
   LogSpace::Work work;
-  logs_.shape(terms, held, one, work, pose.positions);
+  logs_.shape(terms, anchors, one, work, pose.positions);
   pose.positions.resize(cage_->surface.positions.size());
   return pose;
 }

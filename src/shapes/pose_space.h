@@ -26,7 +26,7 @@ public:
   /// turns of the preceding pose (0 if missing). Throws base::Error if the number of positions is wrong.
   LogVector vector(const pose::Pose& pose, std::span<const Vec3> turns_before = {}) const;
   /// Returns the pose of the sum of `terms`.
-  pose::Pose pose(std::span<const LogTerm> terms, const Held& held) const;
+  pose::Pose pose(std::span<const LogTerm> terms, const AnchorWeights& anchors) const;
   /// Returns the linear sum of the poses' positions: every vertex moves on a straight line.
   pose::Pose linear(std::span<const LogTerm> terms) const;
 

@@ -305,11 +305,11 @@ void ShapeSpace::follow(std::span<const LogTerm> terms, std::span<const mesh::Po
   });
 }
 
-void ShapeSpace::shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool,
+void ShapeSpace::shape(std::span<const LogTerm> terms, const AnchorWeights& anchors, base::WorkerPool& pool,
                        LogSpace::Work& work, std::span<mesh::Point> positions) const {
-  if (!coarse_ && split_.polygons.empty()) return logs_.shape(terms, held, pool, work, positions);
+  if (!coarse_ && split_.polygons.empty()) return logs_.shape(terms, anchors, pool, work, positions);
   std::vector<mesh::Point> posed(logs_.rest().size());
-  logs_.shape(terms, held, pool, work, posed);
+  logs_.shape(terms, anchors, pool, work, posed);
   if (coarse_) return follow(terms, posed, pool, positions, pose::first_numbers(rest_.size()));
   std::copy_n(posed.begin(), positions.size(), positions.begin());
 }

@@ -64,8 +64,8 @@ public:
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
 
   /// Compute the model's shape, like the functions of LogSpace.
-  void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, LogSpace::Work& work,
-             std::span<mesh::Point> positions) const;
+  void shape(std::span<const LogTerm> terms, const AnchorWeights& anchors, base::WorkerPool& pool,
+             LogSpace::Work& work, std::span<mesh::Point> positions) const;
   void linear(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const;
 
   /// The coarse model, or null if the log space is that of the model.

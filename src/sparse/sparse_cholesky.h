@@ -90,10 +90,10 @@ public:
   std::size_t unknowns() const { return factor_.size(); }
   const std::vector<std::uint32_t>& order() const { return factor_.order; }  ///< order of the rows of a block
   /// Returns the offset of an unknown's numbers in a block.
-  std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
+  std::size_t row_of(std::size_t unknown) const { return solved_columns * places_[unknown]; }
   /// Solves for `columns` columns, sixteen at a time. From any thread of the pool, calls act(begin, end,
   /// block) for columns [begin, end), with a block of zeros. A block has solved_columns numbers per unknown,
-  /// beginning at place(). Reports the fraction of columns that are done.
+  /// beginning at row_of(). Reports the fraction of columns that are done.
   using Act = std::function<void(std::size_t begin, std::size_t end, std::span<double> block)>;
   void for_blocks(std::size_t columns, base::WorkerPool& pool, const FactorReport& report,
                   const Act& act) const;

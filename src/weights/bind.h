@@ -23,7 +23,7 @@ Binding bind(std::shared_ptr<const mesh::Surface> model, const pose::Cage& cage,
              const pose::Weighting& weighting, pose::EngineKind engine, const Binding* known,
              base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-/// A binding of points for place_vertices().
+/// A binding of points for apply_to_vertices().
 struct BoundPart {
   Binding binding;
   std::size_t failed = 0;  ///< vertices without mean value coordinates

@@ -189,7 +189,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
     solver_.emplace(grounded(laplacian_.stiffness, free), pool, sparse::told(progress, 0, factored_part));
   }
   const auto source = sources(joined, laplacian_.stiffness, held);
-  for (const auto v : mesh::lowest_in_place(model.positions)) offsets_.push_back(solver().place(source[v]));
+  for (const auto v : mesh::lowest_in_place(model.positions)) offsets_.push_back(solver().row_of(source[v]));
   if (progress) progress->report(factored_part);
 }
 
@@ -232,9 +232,9 @@ void SurfaceSystem::set_right_hand_side(std::size_t handle, std::size_t column,
                                         std::span<double> block) const {
   for (const auto& owned : owned_.of_handle[handle]) {
     const double value = owned_.value(owned);
-    block[solver_->place(owned.vertex) + column] = value;
+    block[solver_->row_of(owned.vertex) + column] = value;
     for_column(laplacian_.stiffness, owned.vertex, [&](std::uint32_t other, double entry) {
-      if (owned_.owners[other] == 0) block[solver_->place(other) + column] -= entry * value;
+      if (owned_.owners[other] == 0) block[solver_->row_of(other) + column] -= entry * value;
     });
   }
 }

@@ -128,7 +128,7 @@ void ThinPlate::bend(std::span<double> block, const sparse::BlockSolver::Part& g
   for (std::uint32_t v = 0; v < masses_.size(); ++v) {
     if (!parts_.holds(v)) continue;
     const auto part = parts_.of_vertex[v];
-    const double share = masses_[v] / part_masses_[part], *y = block.data() + solver_.place(v);
+    const double share = masses_[v] / part_masses_[part], *y = block.data() + solver_.row_of(v);
     for (std::size_t c = 0; c < sparse::solved_columns; ++c) means[part][c] += share * y[c];
   }
   for_rows(block, [&](std::uint32_t v, double* y) {
@@ -137,7 +137,7 @@ void ThinPlate::bend(std::span<double> block, const sparse::BlockSolver::Part& g
     for (std::size_t c = 0; c < sparse::solved_columns; ++c) y[c] = mass * (y[c] - mean[c]);
   });
   for (const auto v : parts_.grounds)
-    std::fill_n(block.data() + solver_.place(v), sparse::solved_columns, 0.0);
+    std::fill_n(block.data() + solver_.row_of(v), sparse::solved_columns, 0.0);
   solver_.solve(block, kernel, nullptr, wanted);
 }
 
@@ -147,13 +147,13 @@ std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base
   const std::span springs(springs_);
   std::vector<double> stiffness(count * count);
   solver_.for_blocks(count, pool, sparse::told(progress, 0, 1), [&](auto begin, auto end, auto block) {
-    for (std::size_t i = begin; i < end; ++i) block[solver_.place(springs_[i]) + i - begin] = 1;
+    for (std::size_t i = begin; i < end; ++i) block[solver_.row_of(springs_[i]) + i - begin] = 1;
     const auto given = solver_.part_with(springs.subspan(begin, end - begin));
     const auto wanted = solver_.part_with(springs.subspan(begin));
     bend(block, given, &wanted);
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t j = begin; j < count; ++j)
-        stiffness[i * count + j] = block[solver_.place(springs_[j]) + i - begin];
+        stiffness[i * count + j] = block[solver_.row_of(springs_[j]) + i - begin];
     }
   });
   return stiffness;
@@ -187,14 +187,14 @@ void ThinPlate::find_forces(std::vector<double> stiffness) {
 void ThinPlate::solve(std::size_t begin, std::size_t end, std::span<double> block) const {
   if (whole_) {
     for (std::size_t l = begin; l < end; ++l)
-      for (const auto& [v, value] : loads_[l]) block[solver_.place(v) + l - begin] = strengths_[v] * value;
+      for (const auto& [v, value] : loads_[l]) block[solver_.row_of(v) + l - begin] = strengths_[v] * value;
     return solver_.solve(block, sparse::sparse_kernel(sym3::kernel()));
   }
   std::vector<Columns> at_ground(parts_.grounds.size(), Columns{});
   for (std::size_t l = begin; l < end; ++l) {
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       const double force = forces_[l * springs_.size() + i];
-      block[solver_.place(springs_[i]) + l - begin] = force;
+      block[solver_.row_of(springs_[i]) + l - begin] = force;
       at_ground[parts_.of_vertex[springs_[i]]][l - begin] -= force;
     }
   }

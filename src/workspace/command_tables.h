@@ -65,7 +65,7 @@ void add_animation_file_commands(CommandTable& table);  ///< files of poses and 
 /// The names of the commands that choose a value of this type begin with this prefix, for example "pivot_".
 template <class Value>
 constexpr const char* choice_prefix() {
-  if constexpr (std::is_same_v<Value, pose::Preset>) return "way_";
+  if constexpr (std::is_same_v<Value, pose::Preset>) return "deformer_";
   if constexpr (std::is_same_v<Value, pose::Weights>) return "weights_";
   if constexpr (std::is_same_v<Value, pose::Blend>) return "blend_";
   if constexpr (std::is_same_v<Value, document::Pivot>) return "pivot_";
@@ -80,7 +80,7 @@ constexpr const char* choice_prefix() {
   if constexpr (std::is_same_v<Value, KeyPreset>) return "keys_";
 }
 
-/// The name of the command that chooses the value: "way_paper", "pivot_median".
+/// The name of the command that chooses the value: "deformer_paper", "pivot_median".
 template <class Value>
 std::string choice_command_name(Value value) {
   std::string name = choice_prefix<Value>();

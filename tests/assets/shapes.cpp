@@ -31,7 +31,7 @@ Places halfway(const shapes::ShapeSpace& space, const Places& places, base::Work
   shapes::LogSpace::Work work;
   Places between(places.size());
   const shapes::LogSpace& logs = space.logs();
-  logs.shape({&half, 1}, logs.held_from(logs.at_rest(), {&half, 1}), pool, work, between);
+  logs.shape({&half, 1}, logs.anchors_from(logs.at_rest(), {&half, 1}), pool, work, between);
   return between;
 }
 

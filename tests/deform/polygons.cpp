@@ -184,7 +184,7 @@ std::vector<mesh::Point> halfway(const mesh::Surface& model) {
   const LogTerm terms[] = {{&from, 0.5}, {&to, 0.5}};
   LogSpace::Work work;
   std::vector<mesh::Point> half(bent.size());
-  space.shape(terms, space.logs().held_between(from, to), pool, work, half);
+  space.shape(terms, space.logs().anchors_between(from, to), pool, work, half);
   return half;
 }
 

@@ -148,8 +148,8 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
     ways.insert(base::entry_of(*way).word);
   }
   CHECK(ways.size() == 3);
-  d.choose("side/1/deformer", "side/1/way_rigid");
-  d.choose("side/2/deformer", "side/2/way_paper");
+  d.choose("side/1/deformer", "side/1/deformer_rigid");
+  d.choose("side/2/deformer", "side/2/deformer_paper");
   d.choose("side/2/method", "side/2/method_SD");
   d.settle();
   CHECK(pose::preset_of(split.sides()[0].deformer) == pose::Preset::rigid);

@@ -86,7 +86,8 @@ TEST_CASE("an_example_is_recovered_from_its_own_vertices") {
   const std::array terms{LogTerm{&p.vectors[0], 1.4}, LogTerm{&p.vectors[1], 0.5}};
   Points blend(model.positions.size());
   LogSpace::Work work;
-  p.space.logs().shape(terms, p.space.logs().held_from(p.space.logs().at_rest(), terms), p.pool, work, blend);
+  p.space.logs().shape(terms, p.space.logs().anchors_from(p.space.logs().at_rest(), terms), p.pool, work,
+                       blend);
   CHECK(p.error(p.solved(blend, exactly), blend) < 1e-4);
   CHECK(p.posing->weights()[0] == doctest::Approx(1.4).epsilon(1e-3));
   CHECK(p.posing->weights()[1] == doctest::Approx(0.5).epsilon(1e-3));

@@ -22,11 +22,11 @@ struct Posed {
   Pose share(const Pose& pose, double factor) const {
     const LogVector v = space.vector(pose);
     const std::array terms{LogTerm{&v, factor}};
-    return space.pose(terms, space.logs().held_from(space.logs().at_rest(), terms));
+    return space.pose(terms, space.logs().anchors_from(space.logs().at_rest(), terms));
   }
   Pose between(const LogVector& a, const LogVector& b, double t) const {
     const std::array terms{LogTerm{&a, 1 - t}, LogTerm{&b, t}};
-    return space.pose(terms, space.logs().held_between(a, b));
+    return space.pose(terms, space.logs().anchors_between(a, b));
   }
   double error(const Pose& pose, const std::vector<mesh::Point>& expected) const {
     return largest_distance(pose.positions, expected) / cage->diagonal;

@@ -24,7 +24,7 @@ struct Shapes {
   Points mixed(std::span<const LogTerm> terms) {
     Points positions(rest.positions.size());
     LogSpace::Work work;
-    space.shape(terms, space.logs().held_from(space.logs().at_rest(), terms), pool, work, positions);
+    space.shape(terms, space.logs().anchors_from(space.logs().at_rest(), terms), pool, work, positions);
     return positions;
   }
   Points share(const Points& shape, double factor, ShapeReport* report = nullptr) {

@@ -223,13 +223,13 @@ TEST_CASE("sixteen_systems_are_solved_at_once_on_every_instruction_set") {
     for (const auto& kernel : sym3::kernels()) {
       base::AlignedVector<double> block(n * solved_columns);
       for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::size_t c = 0; c < solved_columns; ++c) block[solver.place(i) + c] = b(i, Eigen::Index(c));
+        for (std::size_t c = 0; c < solved_columns; ++c) block[solver.row_of(i) + c] = b(i, Eigen::Index(c));
       }
       solver.solve(block, sparse_kernel(kernel));
       double worst = 0;
       for (std::uint32_t i = 0; i < n; ++i) {
         for (std::size_t c = 0; c < solved_columns; ++c)
-          worst = std::max(worst, std::abs(block[solver.place(i) + c] - x(i, Eigen::Index(c))));
+          worst = std::max(worst, std::abs(block[solver.row_of(i) + c] - x(i, Eigen::Index(c))));
       }
       CHECK(worst < 1e-14);
     }
@@ -241,9 +241,9 @@ TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
   const BlockSolver solver(
       sparse_matrix(2, std::vector<MatrixEntry>{{0, 0, 2}, {1, 0, 1}, {1, 1, 3}, {0, 1, 77}}), pool);
   base::AlignedVector<double> block(2 * solved_columns, 0.0);
-  block[solver.place(0)] = 5;
-  block[solver.place(1)] = 10;  // for the solution (1, 3)
+  block[solver.row_of(0)] = 5;
+  block[solver.row_of(1)] = 10;  // for the solution (1, 3)
   solver.solve(block, sparse_kernel(sym3::kernel()));
-  CHECK(block[solver.place(0)] == doctest::Approx(1));
-  CHECK(block[solver.place(1)] == doctest::Approx(3));
+  CHECK(block[solver.row_of(0)] == doctest::Approx(1));
+  CHECK(block[solver.row_of(1)] == doctest::Approx(3));
 }

@@ -28,7 +28,7 @@ double worst_difference(const ThinPlate& plate, const Eigen::MatrixXd& expected)
     plate.solve(begin, end, block);
     for (std::size_t v = 0; v < n; ++v) {
       for (std::size_t k = begin; k < end; ++k)
-        worst = std::max(worst, std::abs(block[plate.solver().place(v) + k - begin] -
+        worst = std::max(worst, std::abs(block[plate.solver().row_of(v) + k - begin] -
                                          expected(Eigen::Index(v), Eigen::Index(k))));
     }
   }

@@ -1,4 +1,4 @@
-#include "shapes/held.h"
+#include "shapes/anchors.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -79,38 +79,38 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 
 // Multiplies the weights by a linear function of the positions, so that the weighted mean of the positions is
 // the fixed point of the fitted affine map.
-Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> displacements,
-          std::span<const double> squares) {
+AnchorWeights anchor_weights(const AnchoredParts& parts, std::span<const Vec3> from,
+                             std::span<const Vec3> displacements, std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());
-  Held held(from.size());
+  AnchorWeights anchors(from.size());
   base::for_blocks(parts.count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t part = begin; part < end; ++part) {
       const auto vertices = parts.vertices.of(part);
       double total = 0;
       for (const auto v : vertices) {
         const double moved = farthest > 0 ? squares[v] / farthest + stillness : 1;
-        total += held[v] = parts.masses[v] / (moved * moved);
+        total += anchors[v] = parts.masses[v] / (moved * moved);
       }
-      for (const auto v : vertices) held[v] /= total;
-      const AffineFit fit = fit_of(vertices, held, from, displacements);
+      for (const auto v : vertices) anchors[v] /= total;
+      const AffineFit fit = fit_of(vertices, anchors, from, displacements);
       const Eigen::Vector3d slope = fit.inverse_spread * fit.to_fixed_point;
-      for (const auto v : vertices) held[v] *= 1 + slope.dot(eigen(from[v] - fit.center));
+      for (const auto v : vertices) anchors[v] *= 1 + slope.dot(eigen(from[v] - fit.center));
     }
   });
-  return held;
+  return anchors;
 }
 
-void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight,
-          std::span<Vec3> displacements) {
+void keep_anchors(const AnchoredParts& parts, const AnchorWeights& anchors, std::span<const Vec3> straight,
+                  std::span<Vec3> displacements) {
   for (std::size_t part = 0; part < parts.count(); ++part) {
     Vec3 missing{0, 0, 0};
     for (const auto v : parts.vertices.of(part))
-      missing = missing + held[v] * (straight[v] - displacements[v]);
+      missing = missing + anchors[v] * (straight[v] - displacements[v]);
     for (const auto v : parts.vertices.of(part)) displacements[v] = displacements[v] + missing;
   }
 }
 
-void center(const HangingParts& parts, std::span<Vec3> displacements) {
+void center(const AnchoredParts& parts, std::span<Vec3> displacements) {
   for (std::size_t part = 0; part < parts.count(); ++part) {
     const auto vertices = parts.vertices.of(part);
     Vec3 mean{0, 0, 0};

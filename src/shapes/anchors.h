@@ -11,7 +11,7 @@ namespace viete::shapes {
 
 using mesh::Vec3;
 
-struct HangingParts {
+struct AnchoredParts {
   mesh::Adjacency vertices;    ///< vertices of each connected part
   std::vector<bool> loose;     ///< true: the vertex has no triangles and belongs to no part
   std::vector<double> masses;  ///< area around each vertex: factor of its weight in its part's anchor
@@ -23,19 +23,19 @@ struct HangingParts {
 /// and moves on a straight line. Vertices that move little have large weights. Therefore a resting region
 /// stays, and a limb rotates about its joint. If a part moves by an affine map, the anchor is the point that
 /// moves least: for a rotation, a point on the axis.
-using Held = std::vector<double>;
+using AnchorWeights = std::vector<double>;
 
 /// Returns the anchors of a motion with the displacements `displacements` from the positions `from`.
 /// `squares` tells how far each vertex moves: usually the squared lengths of `displacements`.
-Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> displacements,
-          std::span<const double> squares);
+AnchorWeights anchor_weights(const AnchoredParts& parts, std::span<const Vec3> from,
+                             std::span<const Vec3> displacements, std::span<const double> squares);
 
 /// Translates each part in `displacements` so that its anchor has equal displacements in `displacements` and
 /// `straight`.
-void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight,
-          std::span<Vec3> displacements);
+void keep_anchors(const AnchoredParts& parts, const AnchorWeights& anchors, std::span<const Vec3> straight,
+                  std::span<Vec3> displacements);
 
 /// Translates each part in `displacements` so that the mean displacement of the part is 0.
-void center(const HangingParts& parts, std::span<Vec3> displacements);
+void center(const AnchoredParts& parts, std::span<Vec3> displacements);
 
 }  // namespace viete::shapes
