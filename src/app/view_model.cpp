@@ -231,7 +231,7 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   if (deformed) {
     times.method = deformer_->engine(document.method()) ? document.method() : sym3::Method::fast;
     const auto cost = pool_.cost();
-    run(document, document.pose(), document.shape(), times.method);
+    deform_pose(document, document.pose(), document.shape(), times.method);
     times.cost = pool_.cost() - cost;
     take_carried(document);
     if (document.has_cage()) workspace::take_report(w, deformer_->state().report());
@@ -375,7 +375,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   const pose::Pose& pose = other ? other->cage : w.document.pose();
   base::Stopwatch watch;
   const auto cost = pool.cost();
-  run(w.document, pose, other ? other->shape : w.document.shape(), side.method);
+  deform_pose(w.document, pose, other ? other->shape : w.document.shape(), side.method);
   if (!side.other_blending) drag_.after(*deformer_, drag);  // the other blending can move the whole cage
   side.stats.add({.when = base::wall_seconds(),
                   .stages = deformer_->times(),
@@ -385,7 +385,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   return true;
 }
 
-bool SideViews::follow(workspace::Workspace& w, const LiveModel& first, bool wait) {
+bool SideModels::follow(workspace::Workspace& w, const LiveModel& first, bool wait) {
   const auto sides = w.view.split.sides();
   if (sides.empty()) {
     if (pool_) forget();
@@ -402,22 +402,22 @@ bool SideViews::follow(workspace::Workspace& w, const LiveModel& first, bool wai
   return any;
 }
 
-void SideViews::finish(workspace::Workspace& w, const LiveModel& first) {
+void SideModels::finish(workspace::Workspace& w, const LiveModel& first) {
   while (is_due(w, first) || binding(w)) follow(w, first, true);
 }
 
-bool SideViews::lacks_error(std::size_t i) const {
+bool SideModels::lacks_error(std::size_t i) const {
   return models_[i].ran() && measured_[i] != models_[i].frames();
 }
 
-double SideViews::measuring_in(const workspace::Workspace& w) const {
+double SideModels::measuring_in(const workspace::Workspace& w) const {
   constexpr double rest_seconds = 0.3;  // shortest interval between measurements
   for (std::size_t i = 0; i < w.view.split.sides().size(); ++i)
     if (lacks_error(i)) return base::seconds_until(measured_at_ + rest_seconds);
   return base::never;
 }
 
-bool SideViews::measure(workspace::Workspace& w) {
+bool SideModels::measure(workspace::Workspace& w) {
   constexpr std::size_t sample = 256;
   if (measuring_in(w) > 0) return false;
   for (std::size_t i = 0; i < w.view.split.sides().size(); ++i) {
@@ -435,19 +435,19 @@ bool SideViews::measure(workspace::Workspace& w) {
   return true;
 }
 
-// Destroys deformers before their pool.
-void SideViews::forget() {
+// Destroys FrameDeformers before their pool.
+void SideModels::forget() {
   for (SideModel& model : models_) model.forget();
   pool_.reset();
 }
 
-bool SideViews::is_due(const workspace::Workspace& w, const LiveModel& first) const {
+bool SideModels::is_due(const workspace::Workspace& w, const LiveModel& first) const {
   for (std::size_t i = 0; i < w.view.split.sides().size(); ++i)
     if (models_[i].is_due(w.view.split.sides()[i], w, first)) return true;
   return !w.view.split.on() && pool_;
 }
 
-bool SideViews::binding(const workspace::Workspace& w) const {
+bool SideModels::binding(const workspace::Workspace& w) const {
   for (std::size_t i = 0; i < w.view.split.sides().size(); ++i)
     if (models_[i].binding()) return true;
   return false;

@@ -22,7 +22,7 @@
 
 namespace viete::app {
 
-/// A model bound to a cage: the input of a deformer.
+/// A model bound to a cage: the input of a FrameDeformer.
 struct Bound {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const pose::Cage> cage;
@@ -50,7 +50,7 @@ inline bool changes_rest(const workspace::Workspace& w) {
   return drag && w.document.kept_pose() && !drag->vertices().empty();
 }
 
-/// Passes the beginning and end of drags to a deformer, so that frames during a drag are faster.
+/// Passes the beginning and end of drags to a FrameDeformer, so that frames during a drag are faster.
 class DragFollower {
 public:
   using Drag = std::optional<interact::TransformDrag>;
@@ -63,7 +63,7 @@ public:
     dragging_ = false;
     return true;
   }
-  /// Call after a frame. Begins a drag in the deformer if the deformer has computed a frame.
+  /// Call after a frame. Begins a drag in the FrameDeformer if it has computed a frame.
   void after(deform::FrameDeformer& deformer, const Drag& drag) {
     if (drag && !dragging_ && deformer.ran() && !drag->vertices().empty())
       deformer.begin_drag(drag->vertices());
@@ -87,7 +87,7 @@ struct FrameInput {
   weights::SharedShape shape;
 };
 
-/// The deformer of one view, with its binding. Not thread-safe.
+/// The FrameDeformer of one view, with its binding. Not thread-safe.
 class ViewModel {
 public:
   explicit ViewModel(base::Wake wake = nullptr) : binder_(std::move(wake)) {}
@@ -134,8 +134,8 @@ protected:
         bound_.cage, bound_.binding, deformer, pool, bound_.stitches(deformer) ? bound_.stitching : nullptr);
     drag_ = {};
   }
-  void run(const document::Document& document, const pose::Pose& pose, const weights::SharedShape& shape,
-           sym3::Method method) {
+  void deform_pose(const document::Document& document, const pose::Pose& pose,
+                   const weights::SharedShape& shape, sym3::Method method) {
     if (deformer_->mask() != document.mask()) deformer_->set_mask(document.mask());
     deformer_->set_probes(document.probes());
     deformer_->set_shape(shape);
@@ -276,9 +276,9 @@ private:
   std::optional<Need> refused_;  // input of the last binding that failed
 };
 
-class SideViews {
+class SideModels {
 public:
-  explicit SideViews(const base::Wake& wake = nullptr)
+  explicit SideModels(const base::Wake& wake = nullptr)
       : models_{SideModel(wake), SideModel(wake), SideModel(wake)} {}
 
   /// Call after a frame of the first view. Returns true if any view has a new frame.

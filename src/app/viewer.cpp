@@ -53,7 +53,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
       imgui_renderer_(gl),
       framebuffer_(gl),
       renderer_(gl),
-      view_(gl, {options.samples, options.still_samples}),
+      view_cache_(gl, {options.samples, options.still_samples}),
       activities_(list_of_activities()) {
   load_fonts();
   platform::InputQueue::configure();
@@ -123,7 +123,7 @@ std::vector<Activity> Viewer::list_of_activities() {
       {"files", [&] { return now_if(files_.is_due(w, may_edit())); },
        [&] {
          const bool news = files_.follow(w, may_edit());
-         apply_opened();
+         take_opened_files();
          return news;
        }},
       {"cage generation", [&] { return cages_.due_in(w, may_edit()); },
@@ -134,7 +134,8 @@ std::vector<Activity> Viewer::list_of_activities() {
        always([this] { workspace::follow_pins(workspace_); })},
       {"cage edit", [&] { return now_if(!w.view.interaction.drag && document::has_moved_rest(document)); },
        [this] { return commit_cage_edit(); }},
-      {"binding", [&] { return now_if(model_.binding_is_due(document)); }, [this] { return bind(); }},
+      {"surfaces and binding", [&] { return now_if(model_.binding_is_due(document)); },
+       [this] { return bind(); }},
       {"checks", [&] { return now_if(checks_.is_due(w)); }, [&] { return checks_.follow(w); }},
       {"report", [&] { return now_if(report_.is_due()); }, [&] { return report_.follow(w); }},
       {"messages", [&] { return base::seconds_until(w.messages.next_end()); },
@@ -204,7 +205,8 @@ bool Viewer::take_input() {
 
 // The seconds until the view has been at rest for some time. Never if it was drawn with the most samples.
 double Viewer::refinement_in() const {
-  return view_.fineness() < view_.finest() ? base::seconds_until(last_change_ + still_seconds) : base::never;
+  return view_cache_.fineness() < view_cache_.finest() ? base::seconds_until(last_change_ + still_seconds)
+                                                       : base::never;
 }
 
 // A refined picture is drawn when nothing else changes the picture.
@@ -244,6 +246,34 @@ bool Viewer::grant_wishes() {
   return any;
 }
 
+void Viewer::grant(const workspace::OpenFiles& wish) {
+  files_.open(workspace_, wish.request);
+}
+
+void Viewer::grant(const workspace::SaveFile& wish) {
+  files_.save(workspace_, wish);
+}
+
+void Viewer::grant(const workspace::AnswerQuestion& wish) {
+  files_.answer(workspace_, wish.answer);
+}
+
+void Viewer::grant(const workspace::ShowReport&) {
+  report_.start();
+}
+
+void Viewer::grant(const workspace::SaveScreenshot&) {
+  take_screenshot_ = true;
+}
+
+void Viewer::grant(const workspace::FrameFinding&) {
+  workspace::frame_finding(workspace_);
+}
+
+void Viewer::grant(const workspace::CloseProgram&) {
+  files_.close(workspace_);
+}
+
 void Viewer::grant(const workspace::ShowManual& wish) {
   try {
     open_in_browser(manual_page(wish.chapter));
@@ -268,7 +298,7 @@ void Viewer::grant(const workspace::CancelWork& wish) {
 }
 
 // Gives each part of opened files to its owner.
-void Viewer::apply_opened() {
+void Viewer::take_opened_files() {
   auto loaded = files_.take_opened();
   if (!loaded) return;
   if (loaded->shading.surface) shading_ = std::move(loaded->shading);
@@ -460,8 +490,8 @@ void Viewer::draw_panels() {
 
 // Continuous motion may be drawn coarsely. A single step of a model without a draft is drawn completely.
 Fineness Viewer::fineness(const ViewDrawing& wanted) {
-  if (take_screenshot_ || refines_) return view_.finest();
-  if (view_.shows(wanted)) return view_.fineness();
+  if (take_screenshot_ || refines_) return view_cache_.finest();
+  if (view_cache_.shows(wanted)) return view_cache_.fineness();
   last_change_ = base::wall_seconds();
   if (model_.shows_draft(workspace_.document)) return Fineness::coarse;
   const bool drafted = shading_.draft != nullptr;
@@ -488,7 +518,7 @@ void Viewer::draw() {
   moves_ |= camera_moved_;
   has_drawn_ = false;
   const ViewDrawing wanted = drawing();
-  has_drawn_ = view_.draw(renderer_, wanted, fineness(wanted), workspace::draws_coarsely(workspace_)) ||
+  has_drawn_ = view_cache_.draw(renderer_, wanted, fineness(wanted), workspace::draws_coarsely(workspace_)) ||
                !imgui_renderer_.has_drawn(*ImGui::GetDrawData());
   if (has_drawn_) draw_whole();
   if (moves_) last_motion_ = base::wall_seconds();
@@ -496,7 +526,7 @@ void Viewer::draw() {
 }
 
 void Viewer::draw_whole() {
-  framebuffer_.begin_with(view_.picture(), device_size());
+  framebuffer_.begin_with(view_cache_.picture(), device_size());
   imgui_renderer_.draw(*ImGui::GetDrawData());
   if (gl_.software)
     gl_.Finish();  // software rendering is asynchronous; waiting makes the measured time correct
@@ -504,10 +534,10 @@ void Viewer::draw_whole() {
 
 void Viewer::redraw() {
   renderer_.forget();
-  view_.forget();
+  view_cache_.forget();
   cage_drawn_.reset();
   upload();
-  view_.draw(renderer_, drawing(), view_.fineness(), workspace::draws_coarsely(workspace_));
+  view_cache_.draw(renderer_, drawing(), view_cache_.fineness(), workspace::draws_coarsely(workspace_));
   draw_whole();
 }
 

@@ -121,8 +121,8 @@ public:
   /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
   /// The number of frames that drew the view, not only the panels.
-  unsigned long views_drawn() const { return view_.count(); }
-  Fineness view_fineness() const { return view_.fineness(); }
+  unsigned long views_drawn() const { return view_cache_.count(); }
+  Fineness view_fineness() const { return view_cache_.fineness(); }
   /// Draws the next frames until the sizes of panels settle. Call after a change of the workspace without
   /// input.
   void settle_panels() { settling_.begin(); }
@@ -146,7 +146,7 @@ public:
   /// Waits until files are read, and applies the result.
   void finish_loading() {
     files_.finish_loading(workspace_);
-    apply_opened();
+    take_opened_files();
   }
   void finish_exports() { files_.finish_exports(workspace_); }
   /// Waits for the binding. The next frame deforms the model.
@@ -160,24 +160,24 @@ public:
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture();
   ViewDrawing drawing() const;
-  /// The deformer of the first view, or null.
+  /// The FrameDeformer of the first view, or null.
   const deform::FrameDeformer* deformer() const { return model_.deformer(); }
 
 private:
   std::vector<Activity> list_of_activities();
   bool take_input();
   bool grant_wishes();
-  void grant(const workspace::OpenFiles& wish) { files_.open(workspace_, wish.request); }
-  void grant(const workspace::SaveFile& wish) { files_.save(workspace_, wish); }
+  void grant(const workspace::OpenFiles& wish);
+  void grant(const workspace::SaveFile& wish);
   void grant(const workspace::CancelWork& wish);
-  void grant(const workspace::AnswerQuestion& wish) { files_.answer(workspace_, wish.answer); }
+  void grant(const workspace::AnswerQuestion& wish);
   void grant(const workspace::ShowManual& wish);
-  void grant(const workspace::ShowReport&) { report_.start(); }
-  void grant(const workspace::SaveScreenshot&) { take_screenshot_ = true; }
-  void grant(const workspace::FrameFinding&) { workspace::frame_finding(workspace_); }
-  void grant(const workspace::CloseProgram&) { files_.close(workspace_); }
+  void grant(const workspace::ShowReport& wish);
+  void grant(const workspace::SaveScreenshot& wish);
+  void grant(const workspace::FrameFinding& wish);
+  void grant(const workspace::CloseProgram& wish);
   bool may_edit() const { return !pointer_.active(); }
-  void apply_opened();
+  void take_opened_files();
   bool bind();
   void show_new_surfaces(LiveModel::Changed changed);
   bool commit_cage_edit();
@@ -220,7 +220,7 @@ private:
   FileDesk files_;
   LiveModel model_;
   CageMaker cages_;
-  SideViews sides_;
+  SideModels sides_;
   ReportMaker report_;
   SurfaceChecks checks_;
   MethodMeasuring measuring_;
@@ -237,7 +237,7 @@ private:
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;
-  ViewCache view_;
+  ViewCache view_cache_;
   ui::FieldColors field_colors_;
 
   std::vector<Activity> activities_;

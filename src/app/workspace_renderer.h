@@ -168,6 +168,7 @@ private:
 /// resolution. `smooth`: full resolution with more samples.
 enum class Fineness { coarse, plain, smooth };
 
+/// The last picture of the scene, redrawn only if what it shows has changed or a finer one is wanted.
 class ViewCache {
 public:
   struct Samples {

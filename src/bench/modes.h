@@ -1,4 +1,4 @@
-// viete bench modes: compares all deformers with the poses of a model.
+// viete bench modes: compares all deformers on the poses of a model.
 #pragma once
 
 #include <array>

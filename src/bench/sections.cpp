@@ -43,8 +43,8 @@ std::string worst_error(const Figures& figures, Method method) {
   return error_text(worst);
 }
 
-std::string lost_volume(const nlohmann::json& preset) {
-  const double lost = 100 * (1 - double(preset["volume"]));
+std::string lost_volume(const nlohmann::json& halfway) {
+  const double lost = 100 * (1 - double(halfway["volume"]));
   return lost < 0.5 ? "nothing" : percent(lost);
 }
 

@@ -40,7 +40,7 @@ public:
   /// Weights::kept keeps all weights for later poses, if they need less than a quarter of the free memory.
   enum class Weights { dropped, kept };
 
-  /// model and pool must outlive the deformer; cage must not be null. progress reports the work before the
+  /// model and pool must outlive this object; cage must not be null. progress reports the work before the
   /// first pose, and may be null. Throws base::Error if the model has no vertices, and base::Cancelled.
   ExactDeformer(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
                 const pose::Deformer& deformer, sym3::Method method, base::WorkerPool& pool, Weights weights,

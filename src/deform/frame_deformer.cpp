@@ -23,8 +23,8 @@ std::vector<Vec3> positions_at(std::span<const pose::FrameVertex> vertices, cons
 }  // namespace
 
 FrameDeformer::FrameDeformer(std::shared_ptr<const pose::Cage> cage,
-                        std::shared_ptr<const weights::Binding> binding, const pose::Deformer& deformer,
-                        base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
+                             std::shared_ptr<const weights::Binding> binding, const pose::Deformer& deformer,
+                             base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
     : cage_(cage),
       pool_(pool),
       binding_(std::move(binding)),

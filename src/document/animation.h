@@ -21,7 +21,8 @@ struct ShapeTerm {
 };
 
 /// Returns the sum of the terms. If `anchors` is null, blends vertex positions linearly. Otherwise blends in
-/// log space, and applies shapes::hold(). A vertex that is at rest in all terms stays exactly at rest.
+/// log space, and applies shapes::keep_anchors(). A vertex that is at rest in all terms stays exactly at
+/// rest.
 SharedShape blended(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm> terms,
                     const shapes::AnchorWeights* anchors, base::WorkerPool& pool);
 

@@ -264,8 +264,8 @@ mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, c
 
 }  // namespace
 
-void apply(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
-           std::span<mesh::Point> to) {
+void move_gripped(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
+                  std::span<mesh::Point> to) {
   if (grip.shaping.shape != Shape::none) {
     const double amount = is_angle(grip.shaping.shape) ? transform.degrees : transform.amount;
     const bool nothing = amount == (grip.shaping.shape == Shape::taper ? 1 : 0);

@@ -77,7 +77,7 @@ std::vector<std::uint32_t> vertices_of(const Grip& grip);
 /// Moves the grip's vertices from their positions in `from`. Does not change other entries of `to`. The
 /// center is the grip's anchor, not Transform::pivot. If the grip has a shape, uses only Transform::degrees
 /// or Transform::amount. `to` must have the size of `from`.
-void apply(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
-           std::span<mesh::Point> to);
+void move_gripped(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
+                  std::span<mesh::Point> to);
 
 }  // namespace viete::interact

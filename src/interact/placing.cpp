@@ -29,7 +29,7 @@ struct Motion {
 
   void show(double degrees) {
     transform.degrees = degrees;
-    apply(transform, grip, before.positions, document.changed_pose().positions);
+    move_gripped(transform, grip, before.positions, document.changed_pose().positions);
   }
 
   // Rotates in small steps, and updates the turns of the pose after each step.

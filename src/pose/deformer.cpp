@@ -81,7 +81,7 @@ std::string text(const Deformer& s) {
 
 namespace {
 
-constexpr base::Choice ways_table[] = {
+constexpr base::Choice presets_table[] = {
     {"smooth", "Smooth", "best for most models: weights along the surface, blended in log space"},
     {"paper", "As published", "as in the paper: inverse-distance weights, blended in log space"},
     {"mean-value", "Mean value",
@@ -92,7 +92,7 @@ constexpr base::Choice ways_table[] = {
     {"local", "Local", "weights end at a radius: vertices beyond it stay at rest"},
 };
 
-constexpr Deformer presets[] = {
+constexpr Deformer preset_deformers[] = {
     {.weighting = {Elements::face, Weights::biharmonic}},
     {},
     {.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear},
@@ -104,11 +104,11 @@ constexpr Deformer presets[] = {
 }  // namespace
 
 std::span<const base::Choice> choices(Preset) {
-  return ways_table;
+  return presets_table;
 }
 
 Deformer deformer_of(Preset preset, const Deformer& now) {
-  Deformer s = presets[static_cast<std::size_t>(preset)];
+  Deformer s = preset_deformers[static_cast<std::size_t>(preset)];
   s.amounts = now.amounts;
   return s;
 }

@@ -121,9 +121,9 @@ std::string text(const Deformer& deformer);
 enum class Preset { smooth, paper, mean_value, rigid, arap, local };
 std::span<const base::Choice> choices(Preset);
 
-/// Returns the deformer of a deformer, with the amounts of `now`.
+/// Returns the deformer of a preset, with the amounts of `now`.
 Deformer deformer_of(Preset preset, const Deformer& now = {});
-/// Returns the deformer of a deformer, or nullopt. Ignores amounts, radius, number of iterations and holding.
+/// Returns the preset of a deformer, or nullopt. Ignores amounts, radius, number of iterations and holding.
 std::optional<Preset> preset_of(const Deformer& deformer);
 
 /// The default is Preset::smooth. It has the lowest energy over the poses of many models and is never among
@@ -142,7 +142,7 @@ inline PartialChoice only(Blend blend) {
 /// and stitching if compatible. Throws base::Error with the reason if the choices are incompatible.
 Deformer complete(const PartialChoice& choice, const Deformer& preferred = {});
 
-/// Returns the deformer after a user picks this deformer, weights or blend. Keeps compatible choices of
+/// Returns the deformer after a user picks this preset, weights or blend. Keeps compatible choices of
 /// `now`.
 inline Deformer chosen(Preset preset, const Deformer& now) {
   return deformer_of(preset, now);
@@ -188,7 +188,7 @@ const NumberEntry& number(std::string_view word);
 
 /// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. `chosen` is true if
 /// weights were chosen by name earlier, for example in a session. Otherwise, if `asked` has a radius, but
-/// neither a deformer nor weights, selects cut-off weights. Throws base::Error for incompatible choices, for
+/// neither a preset nor weights, selects cut-off weights. Throws base::Error for incompatible choices, for
 /// numbers that the deformer does not use, and for ARAP with elements that only translate.
 Deformer deformer_of(const AskedDeformer& asked, const Deformer& now, bool chosen = false);
 

@@ -25,7 +25,7 @@ struct AnchoredParts {
 /// moves least: for a rotation, a point on the axis.
 using AnchorWeights = std::vector<double>;
 
-/// Returns the anchors of a motion with the displacements `displacements` from the positions `from`.
+/// Returns the weights of the anchors of a motion from the positions `from` by `displacements`.
 /// `squares` tells how far each vertex moves: usually the squared lengths of `displacements`.
 AnchorWeights anchor_weights(const AnchoredParts& parts, std::span<const Vec3> from,
                              std::span<const Vec3> displacements, std::span<const double> squares);

@@ -16,7 +16,7 @@
  * example <viete/sym3/exp.h>, document errors and ranges. All functions are thread-safe. If a pointer is null
  * or a stride is invalid, a function does nothing and returns -1. Otherwise it returns 0.
  *
- * Stage with the C++ library: cc example.c -lviete_sym3 -lstdc++ -lm. Before 1.0 a new minor version may
+ * Link with the C++ library: cc example.c -lviete_sym3 -lstdc++ -lm. Before 1.0 a new minor version may
  * change this interface. */
 #ifndef VIETE_SYM3_C_H
 #define VIETE_SYM3_C_H

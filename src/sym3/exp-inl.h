@@ -10,7 +10,7 @@
 //   ... const hn::ScalableTag<float> d;  lanes::Six<hn::Vec<decltype(d)>> e = lanes::exp_lanes(d, s); ...
 //   ... const auto both = lanes::exp_lanes(d, lanes::together(s, t));  // lanes::first(both), second(both)
 //   ...
-// Stage viete::sym3 and compile with -ffp-contract=off. Each lane has the same bits as a single call of
+// Link viete::sym3 and compile with -ffp-contract=off. Each lane has the same bits as a single call of
 // sym3::exp with the kernel of that instruction set, whatever other lanes contain. For bounds and special
 // values see method `fast` in exp.h.
 //

@@ -95,7 +95,7 @@ void partial_sums(const Context& ui, const VertexView& view) {
   ImGui::Dummy({wide, height});
 }
 
-void ways(const Context& ui, const VertexView& view) {
+void evaluations(const Context& ui, const VertexView& view) {
   for (const auto& evaluation : view.evaluations) {
     value_row(ui, (method_label(evaluation.method) + ": " + evaluation.route).c_str(),
               error(evaluation.error));
@@ -127,7 +127,7 @@ void panel_vertex(const Context& ui) {
   partial_sums(ui, view);
   value_row(ui, "Rotation angle", formatted("%.2f\u00b0", view.degrees));
   note(ui, "Exponential of the sum", ui.colors.text);
-  ways(ui, view);
+  evaluations(ui, view);
 }
 
 void vertex_overlay(const Context& ui) {

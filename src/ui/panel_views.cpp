@@ -11,8 +11,8 @@ namespace viete::ui {
 namespace {
 
 void deformer_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
-  if (const auto way = entry_list(ui, name, document::preset_of(side.deformer), "Custom"))
-    side.deformer = document::chosen(*way, ui.workspace.document.deformer());
+  if (const auto preset = entry_list(ui, name, document::preset_of(side.deformer), "Custom"))
+    side.deformer = document::chosen(*preset, ui.workspace.document.deformer());
 }
 
 void method_list(const Context& ui, const std::string& name, workspace::SplitView& side) {

@@ -33,20 +33,20 @@ struct Caption {
 };
 
 std::string deformer_words(const document::Deformer& deformer) {
-  const auto way = document::preset_of(deformer);
-  return way ? std::string(base::entry_of(*way).label) : "Custom";
+  const auto preset = document::preset_of(deformer);
+  return preset ? std::string(base::entry_of(*preset).label) : "Custom";
 }
 
 // The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-8".
 Caption shown_in(const workspace::Workspace& w, std::size_t number) {
-  const document::SideView way = workspace::view_settings(w, number);
+  const document::SideView settings = workspace::view_settings(w, number);
   const workspace::SplitView& view = w.view.split.views[number];
   Caption shown;
   if (w.document.has_cage()) {
-    shown.add_title(deformer_words(way.deformer));
-    if (way.deformer.exponential()) shown.add_title(method_label(way.method));
+    shown.add_title(deformer_words(settings.deformer));
+    if (settings.deformer.exponential()) shown.add_title(method_label(settings.method));
   }
-  shown.add_title(blending_words(w, way.other_blending));
+  shown.add_title(blending_words(w, settings.other_blending));
   if (!view.problem.empty() || view.binding) {
     shown.numbers.push_back(view.problem.empty() ? "binding" : view.problem);
     return shown;

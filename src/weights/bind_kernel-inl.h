@@ -1,9 +1,9 @@
 // Vector code of binding. bind_kernel.cpp includes this file once per instruction set, see sym3/exp-inl.h.
-#if defined(VIETE_DEFORM_BIND_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef VIETE_DEFORM_BIND_KERNEL_INL_H
-#undef VIETE_DEFORM_BIND_KERNEL_INL_H
+#if defined(VIETE_WEIGHTS_BIND_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_WEIGHTS_BIND_KERNEL_INL_H
+#undef VIETE_WEIGHTS_BIND_KERNEL_INL_H
 #else
-#define VIETE_DEFORM_BIND_KERNEL_INL_H
+#define VIETE_WEIGHTS_BIND_KERNEL_INL_H
 #endif
 
 #include <algorithm>

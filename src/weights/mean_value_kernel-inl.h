@@ -1,10 +1,10 @@
 // Mean value coordinates in vector registers, one point per lane. bind_kernel.cpp includes this file once per
 // instruction set. (No #pragma once: see sym3/exp-inl.h.)
-#if defined(VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H
-#undef VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H
+#if defined(VIETE_WEIGHTS_MEAN_VALUE_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VIETE_WEIGHTS_MEAN_VALUE_KERNEL_INL_H
+#undef VIETE_WEIGHTS_MEAN_VALUE_KERNEL_INL_H
 #else
-#define VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H
+#define VIETE_WEIGHTS_MEAN_VALUE_KERNEL_INL_H
 #endif
 
 #include "sym3/lanes-inl.h"

@@ -170,10 +170,10 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
     mark_saved(w);
     if (opened.session)
       saved.state.deformer = opened.session->deformer;  // settings of the request are unsaved
-    if (!opened.session) {
+    if (!opened.session) {                              // no file contains mask and probes
       saved.state.mask = nullptr;
       saved.state.probes = {};
-    }  // no file contains them
+    }
     w.preferences.add(saved.session.empty() ? RecentFile{w.document.model().path, w.document.cage_file().path}
                                             : RecentFile{saved.session, {}});
   }

@@ -51,16 +51,16 @@ private:
 void add_file_commands(CommandTable& table);
 void add_select_commands(CommandTable& table);  ///< selection and undo
 void add_cage_commands(CommandTable& table);
-void add_tool_commands(CommandTable& table);  ///< tools and probes
-void add_blend_commands(CommandTable& table);
-void add_camera_commands(CommandTable& table);
-void add_view_commands(CommandTable& table);  ///< display options
+void add_tool_commands(CommandTable& table);    ///< tools and probes, in transform_commands.cpp
+void add_blend_commands(CommandTable& table);   ///< methods and deformers, in cage_commands.cpp
+void add_camera_commands(CommandTable& table);  ///< in view_commands.cpp, as the four below
+void add_view_commands(CommandTable& table);    ///< display options
 void add_map_commands(CommandTable& table);
 void add_split_commands(CommandTable& table);
 void add_help_commands(CommandTable& table);
 void add_transform_commands(CommandTable& table);
 void add_time_commands(CommandTable& table);            ///< named poses and timeline
-void add_animation_file_commands(CommandTable& table);  ///< files of poses and animations
+void add_animation_file_commands(CommandTable& table);  ///< in file_commands.cpp
 
 /// The names of the commands that choose a value of this type begin with this prefix, for example "pivot_".
 template <class Value>

@@ -72,12 +72,13 @@ struct MethodStats {
   std::size_t matrices = 0;  ///< size of the sample; 0 before the first measurement
 };
 
-/// Times of one deformation of the current pose with each method.
+/// Times of one deformation of the current pose with each method. Measured after the panels are drawn, by
+/// app/method_measuring.h; the next frame shows them.
 struct MethodTimes {
   static constexpr std::size_t fused = compared_methods.size();
   /// compared_methods in the staged or stitched engine, then `fast` in the fused engine; all 0: not measured
   std::array<pose::StageTimes, fused + 1> stages{};
-  double fused_error = 0;  ///< of the frame in the fused engine: see Deformer::sampled_error()
+  double fused_error = 0;  ///< of the frame in the fused engine: see FrameDeformer::sampled_error()
   bool measured = false;   ///< true: measured in the background; false: times of drawn frames
   bool busy = false;       ///< see FrameTimes::busy
 };

@@ -17,13 +17,13 @@ document::Viewport viewport_of(const Split& split, const document::Viewport& who
   return seen;
 }
 
-void put_side_views(Split& split, const document::SideViews& ways) {
+void put_side_views(Split& split, const document::SideViews& sides) {
   split.views.resize(1);
-  for (const document::SideView& way : ways.sides) split.views.push_back({way});
+  for (const document::SideView& side : sides.sides) split.views.push_back({side});
   split.active = 0;
   split.before.reset();
-  if (split.on()) split.linked = ways.cameras.empty();
-  split.cameras = ways.cameras;
+  if (split.on()) split.linked = sides.cameras.empty();
+  split.cameras = sides.cameras;
   if (!split.linked)
     split.cameras.insert(split.cameras.begin(), document::CameraPose{});  // for the active view; unused
 }

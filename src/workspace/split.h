@@ -53,6 +53,6 @@ document::Viewport viewport_of(const Split& split, const document::Viewport& who
 std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place);
 
 /// Replaces the views and activates the first view.
-void put_side_views(Split& split, const document::SideViews& ways);
+void put_side_views(Split& split, const document::SideViews& sides);
 
 }  // namespace viete::workspace

@@ -99,14 +99,14 @@ document::SideView view_settings(const Workspace& w, std::size_t view) {
 }
 
 analysis::Field shown_field(const Workspace& w, std::size_t view) {
-  const document::SideView way = view_settings(w, view);
-  const analysis::Source source = analysis::entry(way.field).source;
-  const bool exponential = w.document.has_cage() && way.deformer.exponential();
+  const document::SideView settings = view_settings(w, view);
+  const analysis::Source source = analysis::entry(settings.field).source;
+  const bool exponential = w.document.has_cage() && settings.deformer.exponential();
   const bool exists = source == analysis::Source::surface || source == analysis::Source::first
                           ? w.document.model().surface != nullptr
                       : source == analysis::Source::matrices ? exponential
                                                              : w.document.is_movable();
-  return exists && !shows_mask(w) ? way.field : analysis::Field::none;
+  return exists && !shows_mask(w) ? settings.field : analysis::Field::none;
 }
 
 namespace {
@@ -278,11 +278,11 @@ document::CameraPose last_camera_of(const Workspace& w, std::size_t view) {
 
 document::SideViews side_views(const Workspace& w) {
   const Split& split = w.view.split;
-  document::SideViews ways;
-  for (const SplitView& side : split.sides()) ways.sides.push_back(side);
+  document::SideViews sides;
+  for (const SplitView& view : split.sides()) sides.sides.push_back(view);
   if (!split.linked)
-    for (std::size_t view = 1; view < split.count(); ++view) ways.cameras.push_back(last_camera_of(w, view));
-  return ways;
+    for (std::size_t view = 1; view < split.count(); ++view) sides.cameras.push_back(last_camera_of(w, view));
+  return sides;
 }
 
 }  // namespace viete::workspace

@@ -62,8 +62,8 @@ TEST_CASE("affine_poses_are_exact_where_weights_or_blend_promise_it") {
 
 TEST_CASE("moved_poses_and_twists_beyond_180_degrees_agree_as_do_mirrored_and_collapsed_ones") {
   const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -200 * degree, 210 * degree};
-  const Vec3 preset{100, -50, 25};
-  const auto moved = [&](const Vec3& x) { return twist(x) + preset; };
+  const Vec3 shift{100, -50, 25};
+  const auto moved = [&](const Vec3& x) { return twist(x) + shift; };
   const auto flat = [](const Vec3& x) { return Vec3{x[0], x[1], 0}; };
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
   const auto dot = [](const Vec3&) { return Vec3{1, 2, 3}; };
@@ -71,7 +71,7 @@ TEST_CASE("moved_poses_and_twists_beyond_180_degrees_agree_as_do_mirrored_and_co
     CAPTURE(text(deformer));
     Frames b(model(), cage_of_a_part(), deformer);
     CHECK(difference(b, b.staged.pose(twist)) < 2e-5);
-    const auto there = mapped(b.staged.deformer.positions(), [&](const Vec3& x) { return x + preset; });
+    const auto there = mapped(b.staged.deformer.positions(), [&](const Vec3& x) { return x + shift; });
     CHECK(largest_distance(b.staged.deform(b.staged.pose(moved)), there) < 1e-12);
     CHECK(difference(b, b.staged.pose(flat)) < 2e-5);
     // If several mirrored directions are equally good, the nearest rotation is not unique.

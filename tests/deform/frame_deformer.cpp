@@ -86,10 +86,10 @@ TEST_CASE("every_staged_link_of_a_blend_is_timed_and_no_other") {
     }
     return stages;
   };
-  using L = Stage;
-  CHECK(timed(faces, Blend::srl) == std::set{L::maps, L::log_maps, L::blend, L::exp, L::apply, L::normals});
-  CHECK(timed(faces, Blend::linear) == std::set{L::maps, L::blend, L::apply, L::normals});
-  CHECK(timed(mean_values, Blend::linear) == std::set{L::blend, L::apply, L::normals});
+  using S = Stage;
+  CHECK(timed(faces, Blend::srl) == std::set{S::maps, S::log_maps, S::blend, S::exp, S::apply, S::normals});
+  CHECK(timed(faces, Blend::linear) == std::set{S::maps, S::blend, S::apply, S::normals});
+  CHECK(timed(mean_values, Blend::linear) == std::set{S::blend, S::apply, S::normals});
 }
 
 TEST_CASE("frames_have_the_same_bits_for_any_number_of_threads") {
@@ -149,7 +149,7 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_deformer_without_an_expon
     CHECK(f.staged.deformer.sampled_error() == 0);
     const auto matrices = f.fused.sample_matrices(100), same = f.staged.deformer.sample_matrices(100);
     CHECK(matrices.size() == (exponential ? 100 : 0));
-    // The fused deformer reads weights along the surface from its tiles, which store floats.
+    // The fused engine reads weights along the surface from its tiles, which store floats.
     const double bound = deformer.weighting.on_surface() ? 1e-5 : 1e-13;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const auto &a = matrices[i], &b = same[i];

@@ -283,9 +283,9 @@ void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surfa
   Corners u = corners(t, cage.positions);
   Vector d, theta, c, s;
   for (int i = 0; i < 3; ++i) {
-    const Vector preset = minus(u[i], p);
-    d[i] = length(preset);
-    u[i] = plus({0, 0, 0}, preset, 1 / d[i]);
+    const Vector offset = minus(u[i], p);
+    d[i] = length(offset);
+    u[i] = plus({0, 0, 0}, offset, 1 / d[i]);
   }
   for (int i = 0; i < 3; ++i) theta[i] = 2 * asinq(length(minus(u[(i + 1) % 3], u[(i + 2) % 3])) / 2);
   const Quad h = (theta[0] + theta[1] + theta[2]) / 2;

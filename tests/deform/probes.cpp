@@ -272,8 +272,9 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
     const double diagonal = f.staged.cage->diagonal;
     for (std::size_t i = 0; i < ridden.size(); ++i) {
       const auto v = f.fused.probes().anchors()[i];
-      const Vec3 preset = without[v] - probed_tube().positions[v];
-      CHECK(norm(f.fused.origin() + ridden[i] - (some_probes().all[i].place + preset)) / diagonal < 2e-5);
+      const Vec3 displacement = without[v] - probed_tube().positions[v];
+      CHECK(norm(f.fused.origin() + ridden[i] - (some_probes().all[i].place + displacement)) / diagonal <
+            2e-5);
     }
     // A frame does not depend on earlier frames, nor on a drag.
     const auto whole = f.fused.positions();

@@ -52,18 +52,18 @@ TEST_CASE("a_mask_of_ones_changes_nothing_and_one_of_zeros_leaves_the_model_at_r
 }
 
 TEST_CASE("shares_scale_translations_and_linearly_blended_rotations") {
-  const Vec3 preset{3, -1, 2};
-  const auto moved = [&](const Vec3& x) { return x + preset; };
+  const Vec3 shift{3, -1, 2};
+  const auto moved = [&](const Vec3& x) { return x + shift; };
   const auto turned = similarity({1, -2, 3}, 80 * degree);
   for (const Deformer& deformer : whole_deformers()) {
     CAPTURE(text(deformer));
     Frames f = shared_frames(deformer);
     f.set_mask(ramp(f.staged.model));
     const auto& rest = f.staged.model.positions;
-    const auto by_way = f.deform(f.staged.pose(moved)), by_turn = f.deform(f.staged.pose(turned));
+    const auto by_shift = f.deform(f.staged.pose(moved)), by_turn = f.deform(f.staged.pose(turned));
     for (std::size_t i = 0; i < rest.size(); i += 7) {
       const double s = static_cast<double>((*f.mask)[i]);
-      CHECK(norm(by_way[i] - (rest[i] + s * preset)) < 1e-12);
+      CHECK(norm(by_shift[i] - (rest[i] + s * shift)) < 1e-12);
       const Vec3 straight = (1 - s) * rest[i] + s * turned(rest[i]);
       if (deformer.blend == Blend::linear) CHECK(norm(by_turn[i] - straight) < 1e-12);
     }
@@ -85,16 +85,16 @@ TEST_CASE("shares_scale_rotation_stretch_and_translation_about_the_centre_of_the
 }
 
 TEST_CASE("shares_do_not_depend_on_the_position_of_the_scene") {
-  const Vec3 preset{1000, -2000, 500};
-  const auto there = [&](const mesh::Surface& surface) { return mapped(surface, scaling(1, preset)); };
+  const Vec3 shift{1000, -2000, 500};
+  const auto there = [&](const mesh::Surface& surface) { return mapped(surface, scaling(1, shift)); };
   for (const Weighting& weighting : {test::cut_off(0.1), faces}) {
     Frames here = shared_frames({weighting});
     Bound moved(there(shared_model()), there(tube(9, 7, 0.4, 2.2)), weighting);
     here.set_mask(ramp(here.staged.model));
     moved.deformer.set_mask(here.mask);
     const auto a = here.deform(here.staged.pose(shared_twist));
-    const auto b = moved.deform(moved.pose([&](const Vec3& x) { return shared_twist(x - preset) + preset; }));
-    CHECK(largest_distance(mapped(a, [&](const Vec3& x) { return x + preset; }), b) < 1e-11);
+    const auto b = moved.deform(moved.pose([&](const Vec3& x) { return shared_twist(x - shift) + shift; }));
+    CHECK(largest_distance(mapped(a, [&](const Vec3& x) { return x + shift; }), b) < 1e-11);
   }
 }
 
@@ -109,9 +109,9 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_eve
     const auto& shares = f.staged.binding->shares;
     std::size_t staying = 0, partly = 0;
     for (std::size_t i = 0; i < posed.size(); ++i) {
-      const double preset = norm(posed[i] - f.staged.model.positions[i]);
-      if (shares[i] == 0) CHECK(preset < 1e-15);
-      if (shares[i] > 0.5) CHECK(preset > 0.01);
+      const double distance = norm(posed[i] - f.staged.model.positions[i]);
+      if (shares[i] == 0) CHECK(distance < 1e-15);
+      if (shares[i] > 0.5) CHECK(distance > 0.01);
       staying += shares[i] == 0;
       partly += shares[i] > 0 && shares[i] < 1;
     }

@@ -109,9 +109,9 @@ TEST_CASE("stitching_keeps_rest_and_follows_similarities_for_every_blend") {
 TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
   const StitchScene here(rough_pipe());  // irregular, so that the nearest triangle is unique
   const auto posed = here.deform(here.pose(pipe_twist));
-  for (const auto& [scale, preset] :
+  for (const auto& [scale, shift] :
        {std::pair{1.0, Vec3{1000, -2000, 500}}, {1e-6, Vec3{0, 0, 0}}, {1e6, Vec3{3e6, 0, 0}}}) {
-    const auto moved = [&, scale = scale, preset = preset](const Vec3& x) { return scale * x + preset; };
+    const auto moved = [&, scale = scale, shift = shift](const Vec3& x) { return scale * x + shift; };
     const StitchScene there(mapped(here.model, moved), mapped(here.cage->surface, moved));
     const Pose pose{mapped(here.pose(pipe_twist).positions, moved), {}};
     CHECK(largest_distance(there.deform(pose), mapped(posed, moved)) < 1e-9 * scale);
@@ -143,11 +143,11 @@ TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
   CHECK(least > 1e-3);  // the pins contradict the maps
   Random random(5);
   for (int i = 0; i < 20; ++i) {
-    std::vector<Vec3> preset;
-    for (std::size_t v = 0; v < solved.size(); ++v) preset.push_back(random.vector(1));
+    std::vector<Vec3> directions;
+    for (std::size_t v = 0; v < solved.size(); ++v) directions.push_back(random.vector(1));
     const auto there = [&](double t) {
       auto positions = solved;
-      for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = positions[v] + t * preset[v];
+      for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = positions[v] + t * directions[v];
       return energy(positions);
     };
     const double slope = (there(1e-4) - there(-1e-4)) / 2e-4,

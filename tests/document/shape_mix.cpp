@@ -52,7 +52,7 @@ TEST_CASE("rest_and_a_shape_alone_are_themselves_to_the_bit") {
   CHECK(document::mixed(s.space, alone, false, s.pool) == shape);
 }
 
-TEST_CASE("straight_mixes_are_sums_of_ways") {
+TEST_CASE("linear_mixes_are_sums_of_displacements") {
   Shapes s;
   const SharedShape a = s.pulled(180), b = s.pulled(50);
   Points expected = s.rest.positions;

@@ -74,7 +74,7 @@ TEST_CASE("valid_deformers_have_no_conflict_and_are_completed_from_any_part") {
   CHECK(text(complete({.blend = Blend::linear})) == "inverse, linear");
 }
 
-TEST_CASE("named_deformers_are_recognised_by_their_deformers_for_any_numbers") {
+TEST_CASE("presets_are_recognised_for_any_numbers") {
   for (const Preset preset : viete::base::all_values<Preset>()) {
     CAPTURE(viete::base::entry_of(preset).word);
     Deformer s = deformer_of(preset);

@@ -40,7 +40,7 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
   f.refused("bench bind none.obj " + quoted(cage), 1, "none.obj");
 }
 
-TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
+TEST_CASE("every_deformer_is_compared_on_the_poses_that_are_named") {
   const TemporaryFolder scratch;
   const fs::path json = scratch / "modes.json", ball = scratch / "ball.obj", box = scratch / "box.obj",
                  tall = scratch / "pose_tall.obj";

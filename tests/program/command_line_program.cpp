@@ -44,7 +44,8 @@ Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frame
 
 TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
   const WorkFolder f;
-  const auto rest = formats::read(cage).surface.positions, alert = formats::read(alert_pose).surface.positions;
+  const auto rest = formats::read(cage).surface.positions,
+             alert = formats::read(alert_pose).surface.positions;
   {
     std::ofstream poses(f / "poses", std::ios::binary);
     for (const auto* all : {&alert, &rest, &alert})
@@ -164,11 +165,11 @@ TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
   CHECK_FALSE(mentions(deform(alert_pose, "sd"), "method"));
 }
 
-TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_asked_for") {
+TEST_CASE("pictures_compare_deformers_show_maps_and_have_no_background_where_that_is_asked_for") {
   const WorkFolder f;
   const auto picture = [&](const std::string& options) {
-    f.done("render " + in_cage + " --pose " + quoted(alert_pose) + " --size 640x320 --no-grid --force -o out.png " +
-           options);
+    f.done("render " + in_cage + " --pose " + quoted(alert_pose) +
+           " --size 640x320 --no-grid --force -o out.png " + options);
     return read_png(f / "out.png");
   };
   const auto plain = picture(""), large = picture("--scale 2");

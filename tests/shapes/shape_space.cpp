@@ -280,7 +280,7 @@ TEST_CASE("many_small_parts_rotate_like_a_single_one") {
 }
 
 TEST_CASE("the_density_of_vertices_does_not_move_a_part") {
-  // Returns half of the preset to a plate that is bent at x = 0, at x = -4, -3, ... 4, on a plate with
+  // Returns the shape halfway to a plate that is bent at x = 0, at x = -4, -3, ... 4, on a plate with
   // `dense` columns per unit at the right.
   const auto half_bent = [](std::uint32_t dense) {
     mesh::Surface plate;

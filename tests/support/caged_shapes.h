@@ -1,4 +1,4 @@
-// Cages, models and poses for the tests of the deformer.
+// Cages, models and poses for the tests of pose, weights, deform and shapes.
 #pragma once
 
 #include <cmath>

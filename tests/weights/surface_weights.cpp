@@ -151,11 +151,11 @@ TEST_CASE("harmonic_weights_are_between_0_and_1_for_any_triangles") {
   open.triangles.resize(open.triangles.size() * 2 / 3);
   auto sewn = bad;  // has edges with three triangles
   for (std::uint32_t i = 0; i < 50; ++i) sewn.triangles.push_back({i, i + 31, i + 200});
-  auto flat = bad;
+  auto flat = bad;  // has triangles without area, and coincident vertices
   for (auto& p : flat.positions) {
     p[1] = 0;
     p[0] = std::round(4 * p[0]);
-  }  // triangles without area, coincident vertices
+  }
   const Cage cage = make_cage(tube(6, 8, 1.5, 3));
   for (const auto& model : {bad, open, sewn, flat}) {
     const auto weights =
