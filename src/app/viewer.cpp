@@ -292,7 +292,10 @@ void Viewer::grant(const workspace::CancelWork& wish) {
       files_.cancel_opening();
       cages_.stop(workspace_);
       if (model_.binding())
-        model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", workspace::Severity::info);
+        model_.stop_binding(workspace_,
+                            model_.deformer() ? "Cancelled binding; nothing was changed."
+                                              : "Cancelled binding. It starts again when the pose changes.",
+                            workspace::Severity::info);
       return;
   }
 }

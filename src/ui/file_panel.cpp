@@ -231,16 +231,16 @@ void click_entry(workspace::Workspace& w, std::size_t index) {
   if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.files.browser.saves())) take(w, entry);
 }
 
-// Up and Down move the highlight, Enter confirms, Esc closes. If the filter is empty, Backspace goes to the
+// Up and Down move the highlight, Enter confirms, Esc closes. If the filter was empty, Backspace goes to the
 // parent folder. Returns true if the highlight moved.
-bool handle_keys(const Context& ui, bool typing_filter) {
+bool handle_keys(const Context& ui, bool typing_filter, bool filter_was_empty) {
   Browser& browser = ui.workspace.files.browser;
   const int steps = arrow_steps();
   if (steps != 0) workspace::move_highlight(browser, steps);
   if (key_pressed(workspace::Key::escape)) browser.open = false;
   const bool typing = ImGui::GetIO().WantTextInput;
   if (typing && !typing_filter) return steps != 0;
-  if (key_pressed(workspace::Key::backspace) && browser.filter.empty())
+  if (key_pressed(workspace::Key::backspace) && filter_was_empty)
     workspace::enter(browser, browser.folder.parent_path());
   if (!typing) type_filter(browser);
   if (!enter_pressed()) return steps != 0;
@@ -337,17 +337,20 @@ void button_row(const Context& ui) {
   if (!confirmed) return;
   const auto entries = workspace::shown(browser);
   const bool untouched = !browser.saves() && browser.path == browser.folder.string();
-  untouched&& browser.highlighted < entries.size() ? take(ui.workspace, *entries[browser.highlighted])
-                                                   : choose_typed(ui.workspace);
+  if (untouched && browser.highlighted < entries.size())
+    take(ui.workspace, *entries[browser.highlighted]);
+  else
+    choose_typed(ui.workspace);
 }
 
 void content(const Context& ui) {
   Browser& browser = ui.workspace.files.browser;
   path_field(ui);
   path_note(ui);
+  const bool filter_was_empty = browser.filter.empty();
   const bool typing_filter = filter_row(ui);
   browser.appearing = false;
-  const bool moved = browser.open && handle_keys(ui, typing_filter);
+  const bool moved = browser.open && handle_keys(ui, typing_filter, filter_was_empty);
   const float row = ImGui::GetFrameHeight() + 12;
   ImGui::BeginChild("entries", {0, browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row},
                     true);

@@ -83,7 +83,8 @@ bool recovery_card(const Context& ui, const files::RecoveryFile& file, const std
   const float left = low.x + workspace::pose_picture_size.x + 10;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddText({left, low.y + 5}, ui.colors.text, shortened(file.name, high.x - left - 6).c_str());
-  draw.AddText({left, low.y + 24}, ui.colors.faint, files::when(file.time).c_str());
+  draw.AddText({left, low.y + 24}, ui.colors.faint,
+               (files::when(file.time) + (file.restored ? ", restored" : "")).c_str());
   return restored;
 }
 

@@ -51,18 +51,20 @@ void motion_setting(const Context& ui) {
 void recovered_edits(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   heading(ui, "Recovered edits");
-  const std::vector<files::RecoveryFile> offers = w.recovery.offers();
-  if (offers.empty()) return note(ui, "No recovered edits. They appear here after a crash.");
+  const std::vector<files::RecoveryFile> all = w.recovery.files;  // those that were restored once too
+  if (all.empty()) return note(ui, "No recovered edits. They appear here after a crash.");
   constexpr std::size_t most_rows = 4;
-  const auto rows = static_cast<float>(std::min(most_rows, offers.size()));
+  const auto rows = static_cast<float>(std::min(most_rows, all.size()));
   ImGui::BeginChild("recovered", {0, rows * (recovery_card_height + ImGui::GetStyle().ItemSpacing.y)});
-  for (std::size_t i = 0; i < offers.size(); ++i)
-    if (recovery_card(ui, offers[i], "preferences/restore/" + std::to_string(i),
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (recovery_card(ui, all[i], "preferences/restore/" + std::to_string(i),
                       ImGui::GetContentRegionAvail().x))
       w.panels.show_preferences = false;
   ImGui::EndChild();
-  if (button(ui, "Discard all", "preferences/discard", "Delete all recovered edits, after asking."))
-    w.files.question = workspace::ask_before_discarding(offers.size());
+  const std::size_t offered = w.recovery.offers().size();
+  if (button(ui, offered < all.size() ? "Discard all but restored" : "Discard all", "preferences/discard",
+             "Delete these edits, after asking."))
+    w.files.question = workspace::ask_before_discarding(offered);
 }
 
 }  // namespace

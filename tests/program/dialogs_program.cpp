@@ -65,6 +65,23 @@ constexpr const char* dialogs[] = {"open_model",      "open_cage",  "open_pose",
 
 }  // namespace
 
+TEST_CASE("the_backspace_that_empties_a_filter_stays_in_the_folder") {
+  Driver d;
+  d.run("open_model");
+  d.frame(3);
+  const workspace::FileBrowser& browser = d.workspace().files.browser;
+  const fs::path folder = browser.folder;
+  d.type("a");
+  CHECK(browser.filter == "a");
+  d.press_key(workspace::Key::backspace);
+  d.frame(3);
+  CHECK(browser.filter.empty());
+  CHECK(browser.folder == folder);
+  d.press_key(workspace::Key::backspace);
+  d.frame(3);
+  CHECK(browser.folder == folder.parent_path());
+}
+
 TEST_CASE("no_key_of_any_keymap_passes_through_a_dialog") {
   Dialogs scene;
   for (const workspace::Choice& preset : workspace::choices(workspace::KeyPreset{})) {
@@ -150,7 +167,7 @@ TEST_CASE("preferences_change_scale_motion_autosave_and_list_recovered_edits") {
   Driver d;
   workspace::Workspace& w = d.workspace();
   w.recovery.files = {{folder / "a.viete", "first.obj", 1000, folder.path()},
-                      {folder / "b.viete", "second.obj", 500, folder.path()}};
+                      {folder / "b.viete", "second.obj", 500, folder.path(), true}};  // restored once
   d.run("preferences");
   d.frame(3);
   d.choose("preferences/scale", "preferences/scale/3");
