@@ -181,7 +181,7 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
   if (is_example) show_timeline(w);
   if (is_example && w.panels.has_user) start_playing(w);
   if (opened.session && opened.session->camera) return w.view.camera.set_pose(*opened.session->camera);
-  if (same_model) return;
+  if (same_model) return frame_other_cage(w);
   w.view.camera.set_up(guessed_up(w.document.model()));
   frame_first(w);
   frame_all(w, false);

@@ -164,6 +164,12 @@ void frame_all(Workspace& w, bool eased) {
   w.view.camera.frame(in_view(document.space(), points), w.view.viewport, eased, offer_height(w));
 }
 
+void frame_other_cage(Workspace& w) {
+  if (!w.document.has_cage()) return;
+  const mesh::Bounds &cage = w.document.cage_file().bounds, &model = w.document.model().bounds;
+  if (!contains(cage, model) || cage.diagonal() > 2 * model.diagonal()) frame_all(w, true);
+}
+
 void frame_selection(Workspace& w, bool eased) {
   const document::Document& document = w.document;
   if (document.selection().empty()) return frame_all(w, eased);

@@ -332,6 +332,8 @@ float offer_height(const Workspace& workspace);
 
 /// Moves the camera so that the model and posed cage, or the selection, fill the view; gradually if `eased`.
 void frame_all(Workspace& workspace, bool eased);
+/// Shows model and cage if the cage is not close around the model, as another model's cage.
+void frame_other_cage(Workspace& workspace);
 void frame_selection(Workspace& workspace, bool eased);
 /// Moves the camera to the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
