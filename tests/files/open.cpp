@@ -375,6 +375,17 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
         files.cage);
 }
 
+TEST_CASE("a_cage_that_is_far_larger_than_the_model_is_framed_with_it_and_one_that_fits_is_not") {
+  test::CubeFiles files;
+  formats::write(files / "large.obj", test::cube(30));
+  Workspace w = test::opened({files.model, files.cage});
+  const float before = w.view.camera.destination().distance;
+  REQUIRE(test::open_now(w, {OpenRequest::What::cage, {files.pose}}));
+  CHECK(w.view.camera.destination().distance == before);
+  REQUIRE(test::open_now(w, {OpenRequest::What::cage, {files / "large.obj"}}));
+  CHECK(w.view.camera.destination().distance > 5 * before);
+}
+
 TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
   test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
