@@ -168,7 +168,8 @@ bool MethodMeasuring::take_times(workspace::Workspace& w, LiveModel& model, bool
 // Until all methods are timed in this pose, shows the times of the current method's frames.
 void MethodMeasuring::show_drawn_times(workspace::Workspace& w, const LiveModel& model) const {
   const auto frame = w.view.split.views[0].stats.deforming_median();
-  if (!frame || (w.frame.method_times.measured && timed_ == model.frames())) return;
+  // Without an engine, the frame is of another cage or of other weights.
+  if (!frame || !engine_ || (w.frame.method_times.measured && timed_ == model.frames())) return;
   const auto found = std::ranges::find(compared_methods, frame->method);
   auto running = static_cast<std::size_t>(found - compared_methods.begin());
   if (engine_ == pose::EngineKind::fused) running = workspace::MethodTimes::fused;
