@@ -55,18 +55,20 @@ TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
 }
 
 TEST_CASE("while_an_edited_cage_is_bound_no_fused_time_stands_among_the_staged_ones") {
-  Bound d;
-  d.settle();
+  auto options = Driver::default_options({640, 400});
+  options.probe = true;  // measures the methods
+  Driver d(options);
+  d.open_dragon();
+  const auto& times = d.workspace().frame.method_times;
+  REQUIRE(d.until([&] { return times.measured; }));
   test::run_command(d.workspace(), "subdivide_cage");
   int pictures = 0;
-  const auto bound = [&] {
+  CHECK(d.until([&] {
     if (d.workspace().jobs.binding.running) ++pictures;
-    const auto& stages = d.workspace().frame.method_times.stages;
     for (std::size_t row = 0; row < workspace::MethodTimes::fused; ++row)
-      CHECK(stages[row][pose::Stage::fused] == 0);
+      CHECK(times.stages[row][pose::Stage::fused] == 0);
     return pictures > 0 && !d.workspace().jobs.binding.running;
-  };
-  CHECK(d.until(bound));
+  }));
 }
 
 TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps_them") {
