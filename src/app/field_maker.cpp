@@ -54,12 +54,12 @@ struct Influence {
     if (of_probes ? selection.empty() : vertices.empty()) return all;
     if (of_probes && is_of_pins()) return of_pins();
     constexpr double small = 1e-4;
-    const double way = small * mesh::bounds(frame.bound.model->positions).diagonal();
+    const double step = small * mesh::bounds(frame.bound.model->positions).diagonal();
     FrameInDouble deformer(frame, progress);
     const auto before = deformer.positions(frame.pose, frame.probes);
     pose::Pose pose = frame.pose;
     pose::Probes probes = frame.probes;
-    const mesh::Vec3 shift = way / std::sqrt(3.0) * mesh::Vec3{1, 1, 1};
+    const mesh::Vec3 shift = step / std::sqrt(3.0) * mesh::Vec3{1, 1, 1};
     for (const auto v : vertices) pose.positions[v] = pose.positions[v] + shift;
     if (of_probes)
       for (const auto i : selection.indices()) {
@@ -67,7 +67,7 @@ struct Influence {
         moved.move = moved.move + shift;
       }
     const auto after = deformer.positions(pose, probes);
-    for (std::size_t v = 0; v < all.size(); ++v) all[v] = mesh::norm(after[v] - before[v]) / way;
+    for (std::size_t v = 0; v < all.size(); ++v) all[v] = mesh::norm(after[v] - before[v]) / step;
     return all;
   }
 

@@ -333,9 +333,9 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
   const double length = mesh::norm(normal);
   const bool together = length > 0.1 * areas;
   const auto up = [&](std::uint32_t v) {
-    const Vec3& way = together ? normal : normals[v];
-    const double size = mesh::norm(way);
-    return size > 0 ? (distance / size) * way : Vec3{0, 0, 0};
+    const Vec3& direction = together ? normal : normals[v];
+    const double size = mesh::norm(direction);
+    return size > 0 ? (distance / size) * direction : Vec3{0, 0, 0};
   };
   std::vector<std::uint32_t> made;
   for (const std::uint32_t number : polygons) {

@@ -16,10 +16,10 @@ using mesh::Point, mesh::Surface, mesh::Vec3;
 
 // Returns a displacement for each cage vertex, to move the cage outward past the points `outside`. `split`
 // has the triangles of the cage.
-std::vector<Vec3> ways_outward(const Surface& cage, const Surface& split, const std::vector<Point>& outside,
-                               double margin) {
+std::vector<Vec3> offsets_outward(const Surface& cage, const Surface& split,
+                                  const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(split.positions, split.triangles);
-  std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
+  std::vector<Vec3> offsets(cage.positions.size(), {0, 0, 0});
   std::vector<double> farthest(cage.positions.size(), 0);
   const double side = mesh::summarize(cage).volume < 0 ? -1 : 1;  // -1 if the normals point inward
   for (const Point& p : outside) {
@@ -32,10 +32,10 @@ std::vector<Vec3> ways_outward(const Surface& cage, const Surface& split, const 
     for (const auto v : cage.polygon(split.triangle_polygon[nearest.triangle])) {
       if (distance <= farthest[v]) continue;
       farthest[v] = distance;
-      ways[v] = (side * distance / length) * area;
+      offsets[v] = (side * distance / length) * area;
     }
   }
-  return ways;
+  return offsets;
 }
 
 }  // namespace
@@ -69,8 +69,8 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
       continue;
     }
     std::vector<Point> points = mesh::picked<Point>(asked, outside);
-    const auto ways = ways_outward(moved, split, points, distance);
-    for (std::size_t v = 0; v < ways.size(); ++v) moved.positions[v] = moved.positions[v] + ways[v];
+    const auto offsets = offsets_outward(moved, split, points, distance);
+    for (std::size_t v = 0; v < offsets.size(); ++v) moved.positions[v] = moved.positions[v] + offsets[v];
     asked = std::move(points);
   }
 }

@@ -216,7 +216,7 @@ void keep_flat(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm>
                std::span<mesh::Point> positions) {
   const auto& rest = space.rest();
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto stays = [k](const mesh::Vec3& way) { return way[k] == 0; };
+    const auto stays = [k](const mesh::Vec3& offset) { return offset[k] == 0; };
     const auto is_flat = [&](const shapes::LogTerm& term) {
       return std::ranges::all_of(space.displacements(*term.vector), stays);
     };

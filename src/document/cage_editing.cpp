@@ -37,11 +37,12 @@ pose::Pose carried(const pose::Cage& before, const pose::Pose& pose, const cages
   if (before.roots.size() == after.roots.size()) now.turns = pose.turns;
   for (std::size_t v = 0; v < edited.origins.size(); ++v) {
     const cages::Origin& origin = edited.origins[v];
-    mesh::Vec3 way{0, 0, 0};
+    mesh::Vec3 offset{0, 0, 0};
     const double share = 1 / static_cast<double>(origin.of.size());
-    for (const auto o : origin.of) way = way + share * (pose.positions[o] - before.surface.positions[o]);
-    if (origin.mirrored) way = reflected_direction(follow.plane, way);
-    now.positions.push_back(edited.surface.positions[v] + follow.scale * way);
+    for (const auto o : origin.of)
+      offset = offset + share * (pose.positions[o] - before.surface.positions[o]);
+    if (origin.mirrored) offset = reflected_direction(follow.plane, offset);
+    now.positions.push_back(edited.surface.positions[v] + follow.scale * offset);
   }
   return now;
 }

@@ -140,8 +140,8 @@ Moment moment_at(const Timeline& timeline, double frame) {
 
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward) {
   const double first = timeline.first, length = timeline.last - timeline.first;
-  const double way = (backward ? -1 : 1) * seconds * timeline.rate;
-  const double place = std::clamp(frame - first, 0.0, length) + way;
+  const double distance = (backward ? -1 : 1) * seconds * timeline.rate;
+  const double place = std::clamp(frame - first, 0.0, length) + distance;
   if (!std::isfinite(place)) return std::nullopt;
   if (place >= 0 && place <= length) return first + place;
   if (timeline.repeat == Repeat::once) return std::nullopt;

@@ -136,7 +136,7 @@ void TransformDrag::bend_about(int axis) {
   const Constraint wanted{Kind::axis, axis};
   const bool again = wanted == constraint_;
   const auto hinge = again ? view_hinge_ : hinge_near(grip_.shaping, grip_.anchor.axes[axis]);
-  along_way_ = hinge ? std::nullopt : std::optional(axis);
+  unbendable_axis_ = hinge ? std::nullopt : std::optional(axis);
   if (!hinge) return;
   grip_.shaping.hinge = *hinge;
   constrain(again ? Constraint{} : wanted);
@@ -346,7 +346,8 @@ std::string TransformDrag::readout() const {
     std::string word(name(grip_.shaping.shape));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
     const std::string refused =
-        along_way_ ? std::string("   cannot bend about ") + static_cast<char>('X' + *along_way_) : "";
+        unbendable_axis_ ? std::string("   cannot bend about ") + static_cast<char>('X' + *unbendable_axis_)
+                         : "";
     return word + ' ' + axis_names() + (entry_.empty() ? shaped_amount() : entry_.text() + '_') + refused +
            beyond;
   }

@@ -90,9 +90,9 @@ private:
   document::Space space_;
   Tool tool_;
   Constraint constraint_;
-  glm::dvec3 view_hinge_;         // the axis for bending in the view plane
-  std::optional<int> along_way_;  // the last typed axis, if no bend about it is possible
-  glm::dvec3 pivot_, view_axis_;  // view_axis_: the direction to the eye
+  glm::dvec3 view_hinge_;               // the axis for bending in the view plane
+  std::optional<int> unbendable_axis_;  // the last typed axis, if no bend about it is possible
+  glm::dvec3 pivot_, view_axis_;        // view_axis_: the direction to the eye
   double depth_;
   glm::dvec2 press_, cursor_, lag_{0, 0};  // lag_: slow mode subtracts it from the cursor position
   double turned_ = 0, turn_lag_ = 0;       // turned_: the cursor's angle since the press, in radians

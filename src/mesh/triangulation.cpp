@@ -181,10 +181,10 @@ public:
   }
 
 private:
-  // A corner and its neighbours in the ring. Ears are clipped in the order of `length`, then `way`.
+  // A corner and its neighbours in the ring. Ears are clipped in the order of `length`, then `rank`.
   struct Ear {
-    long length;                                // see length_of_cut()
-    std::uint32_t way, corner, previous, next;  // way: the number of corners to the polygon's first corner
+    long length;                                 // see length_of_cut()
+    std::uint32_t rank, corner, previous, next;  // rank: the number of corners to the polygon's first corner
     auto operator<=>(const Ear&) const = default;
   };
   // After this number of tests per corner, the rest of a self-crossing ring becomes a fan.

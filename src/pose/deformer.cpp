@@ -58,9 +58,9 @@ std::optional<std::string_view> conflict(const Deformer& deformer) {
   return std::nullopt;
 }
 
-bool fits(const PartialChoice& choice, const Deformer& s) {
-  return choice.weights.value_or(s.weighting.weights) == s.weighting.weights &&
-         choice.blend.value_or(s.blend) == s.blend;
+bool fits(const PartialChoice& choice, const Deformer& deformer) {
+  return choice.weights.value_or(deformer.weighting.weights) == deformer.weighting.weights &&
+         choice.blend.value_or(deformer.blend) == deformer.blend;
 }
 
 std::vector<Deformer> valid_deformers() {
@@ -74,9 +74,9 @@ std::vector<Deformer> valid_deformers() {
   return all;
 }
 
-std::string text(const Deformer& s) {
-  return std::string(base::entry_of(s.weighting.weights).word) + ", " +
-         std::string(base::entry_of(s.blend).word) + (s.stitched() ? ", arap" : "");
+std::string text(const Deformer& deformer) {
+  return std::string(base::entry_of(deformer.weighting.weights).word) + ", " +
+         std::string(base::entry_of(deformer.blend).word) + (deformer.stitched() ? ", arap" : "");
 }
 
 namespace {
@@ -108,16 +108,16 @@ std::span<const base::Choice> choices(Preset) {
 }
 
 Deformer deformer_of(Preset preset, const Deformer& now) {
-  Deformer s = preset_deformers[static_cast<std::size_t>(preset)];
-  s.amounts = now.amounts;
-  return s;
+  Deformer deformer = preset_deformers[static_cast<std::size_t>(preset)];
+  deformer.amounts = now.amounts;
+  return deformer;
 }
 
-std::optional<Preset> preset_of(const Deformer& s) {
+std::optional<Preset> preset_of(const Deformer& deformer) {
   for (const Preset preset : base::all_values<Preset>()) {
-    const Deformer deformer = deformer_of(preset);
-    if (s.weighting.weights == deformer.weighting.weights && s.blend == deformer.blend &&
-        s.stitched() == deformer.stitched())
+    const Deformer of_preset = deformer_of(preset);
+    if (deformer.weighting.weights == of_preset.weighting.weights && deformer.blend == of_preset.blend &&
+        deformer.stitched() == of_preset.stitched())
       return preset;
   }
   return std::nullopt;
@@ -128,57 +128,57 @@ Deformer default_deformer(bool has_triangles) {
 }
 
 Deformer complete(const PartialChoice& choice, const Deformer& preferred) {
-  Deformer s = preferred;
-  s.iterations = 0;
-  s.weighting.weights = choice.weights.value_or(preferred.weighting.weights);
-  s.blend = choice.blend.value_or(preferred.blend);
-  if (conflict(s) && !choice.blend) s.blend = Blend::linear;
-  if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
-  if (const auto reason = conflict(s))
+  Deformer deformer = preferred;
+  deformer.iterations = 0;
+  deformer.weighting.weights = choice.weights.value_or(preferred.weighting.weights);
+  deformer.blend = choice.blend.value_or(preferred.blend);
+  if (conflict(deformer) && !choice.blend) deformer.blend = Blend::linear;
+  if (conflict(deformer) && !choice.weights) deformer.weighting.weights = Weights::inverse;
+  if (const auto reason = conflict(deformer))
     throw base::Error("", "these weights and this blend cannot be combined: " + std::string(*reason),
                       "omit one of them; it is then chosen automatically");
-  s.weighting.elements = elements_of(s.weighting.weights, s.blend);
-  if (s.has_maps()) s.iterations = preferred.iterations;
-  return s;
+  deformer.weighting.elements = elements_of(deformer.weighting.weights, deformer.blend);
+  if (deformer.has_maps()) deformer.iterations = preferred.iterations;
+  return deformer;
 }
 
 namespace {
 
 using Need = NumberEntry::Need;
-constexpr Need has_radius{[](const Deformer&s) { return s.weighting.partial(); },
+constexpr Need has_radius{[](const Deformer&deformer) { return deformer.weighting.partial(); },
                           "these weights have no radius", "omit it, or choose the weights cutoff"},
-    has_maps{[](const Deformer&s) { return s.has_maps(); },
+    has_maps{[](const Deformer&deformer) { return deformer.has_maps(); },
              "this deformer ignores the cage's rotation and stretch",
              "omit it, or choose another deformer or blend"},
-    is_stitched{[](const Deformer&s) { return s.stitched(); }, "this setting needs ARAP",
+    is_stitched{[](const Deformer&deformer) { return deformer.stitched(); }, "this setting needs ARAP",
                 "omit it, or choose the deformer arap"};
 
 constexpr std::array numbers_table = {
     NumberEntry{{"radius", "Radius", "Distance at which weights end, relative to the cage's size"},
-                [](Deformer& s) -> double& { return s.weighting.radius; },
+                [](Deformer& deformer) -> double& { return deformer.weighting.radius; },
                 &AskedDeformer::radius,
                 has_radius,
                 0.001,
                 10},
     NumberEntry{{"rotation", "Rotation", "Scale the blended rotation"},
-                [](Deformer& s) -> double& { return s.amounts.rotation; },
+                [](Deformer& deformer) -> double& { return deformer.amounts.rotation; },
                 &AskedDeformer::rotation,
                 has_maps,
                 0,
                 2},
     NumberEntry{{"stretch", "Stretch", "Scale the blended stretch"},
-                [](Deformer& s) -> double& { return s.amounts.stretch; },
+                [](Deformer& deformer) -> double& { return deformer.amounts.stretch; },
                 &AskedDeformer::stretch,
                 has_maps,
                 0,
                 2},
     NumberEntry{
         {"attach", "Attach", "ARAP: attach vertices within this distance of the cage, relative to its size"},
-        [](Deformer& s) -> double& { return s.holding.radius; },
+        [](Deformer& deformer) -> double& { return deformer.holding.radius; },
         &AskedDeformer::attach,
         is_stitched},
     NumberEntry{{"hold", "Hold", "ARAP: pull each vertex towards the position that it has without ARAP"},
-                [](Deformer& s) -> double& { return s.holding.weight; },
+                [](Deformer& deformer) -> double& { return deformer.holding.weight; },
                 &AskedDeformer::hold,
                 is_stitched},
 };

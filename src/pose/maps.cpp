@@ -37,10 +37,10 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed) {
 }
 
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n) {
-  const Vec3 way_u = u - rest.u, way_v = v - rest.v, way_n = n - rest.n;
+  const Vec3 change_u = u - rest.u, change_v = v - rest.v, change_n = n - rest.n;
   const bool near =
-      squared_norm(way_u) + squared_norm(way_v) < 0.25 * (squared_norm(rest.u) + squared_norm(rest.v));
-  const Vec3 &a = near ? way_u : u, &b = near ? way_v : v, &c = near ? way_n : n;
+      squared_norm(change_u) + squared_norm(change_v) < 0.25 * (squared_norm(rest.u) + squared_norm(rest.v));
+  const Vec3 &a = near ? change_u : u, &b = near ? change_v : v, &c = near ? change_n : n;
   sym3::Mat3<double> m{};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

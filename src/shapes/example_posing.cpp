@@ -488,9 +488,9 @@ void ExamplePosing::reach_targets() {
     for (std::size_t k = 0; k < pins_.size(); ++k)
       if (part_of_pin_[k] == pinned_parts_[i])
         pulls.push_back({columns_[k].data(), vec(forces.row(Eigen::Index(k)).transpose())});
-    const Vec3 way = vec(forces.row(Eigen::Index(pins_.size() + i)).transpose());
+    const Vec3 offset = vec(forces.row(Eigen::Index(pins_.size() + i)).transpose());
     for (const auto v : space_.logs().parts().vertices.of(pinned_parts_[i])) {
-      Vec3 place = positions_[v] + way;
+      Vec3 place = positions_[v] + offset;
       for (const auto& [column, force] : pulls) place = place + column[v] * force;
       positions_[v] = place;
     }

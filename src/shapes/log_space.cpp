@@ -113,8 +113,9 @@ private:
   void read_posed_side(std::size_t count, const At& at, const Plane* sides, std::size_t k) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto& corners = space_.placed_[at(i)];
-      const Vec3 way = work_.displacements[corners[(k + 1) % 3]] - work_.displacements[corners[(k + 2) % 3]];
-      for (std::size_t j = 0; j < 3; ++j) posed_[3 * k + j][i] = sides[3 * k + j][i] + way[j];
+      const Vec3 change =
+          work_.displacements[corners[(k + 1) % 3]] - work_.displacements[corners[(k + 2) % 3]];
+      for (std::size_t j = 0; j < 3; ++j) posed_[3 * k + j][i] = sides[3 * k + j][i] + change[j];
     }
   }
 

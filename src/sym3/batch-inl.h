@@ -345,21 +345,21 @@ static HWY_INLINE bool is_aligned(const View<T, N>& v) {
   return bits % 64 == 0;
 }
 
-/// Processes items without tiles. The input and the output must have the layout that `Way` accesses. If the
-/// last items do not fill a register, they are processed in a tile.
-template <class Way, class F, class D, class T>
+/// Processes items without tiles. The input and the output must have the layout that `Access` accesses. If
+/// the last items do not fill a register, they are processed in a tile.
+template <class Access, class F, class D, class T>
 static HWY_INLINE void map_directly(D d, const F& f, const View<const T, F::in>& in,
                                     const View<T, F::out>& out, const Range& range) {
   std::size_t i = range.begin;
   if constexpr (F::memory_bound && hn::MaxLanes(D()) > 1) {
     if (range.stream && is_aligned(out)) {
-      i = map_whole<Way, Way, true>(d, f, in, out, i, range.end);
+      i = map_whole<Access, Access, true>(d, f, in, out, i, range.end);
       hwy::FlushStream();
       if (i < range.end) map_to_layout(d, f, in, out, i, range.end);
       return;
     }
   }
-  i = map_whole<Way, Way, false>(d, f, in, out, i, range.end);
+  i = map_whole<Access, Access, false>(d, f, in, out, i, range.end);
   if (i < range.end) map_to_layout(d, f, in, out, i, range.end);
 }
 

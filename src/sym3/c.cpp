@@ -102,9 +102,9 @@ int map(const T* in, viete_layout from, T* out, viete_layout to, std::size_t cou
 template <class F>
 int derive(const double* in, viete_layout from, const double* direction, viete_layout along, double* out,
            viete_layout to, std::size_t count, const F& f) {
-  const auto one = [&](const auto& s, const SymView<const double>& way, const SymView<double>& target,
+  const auto one = [&](const auto& s, const SymView<const double>& direction, const SymView<double>& target,
                        std::size_t n) {
-    f(s, Directions<double>(&way, 1), Derivatives<double>(&target, 1), n);
+    f(s, Directions<double>(&direction, 1), Derivatives<double>(&target, 1), n);
   };
   return apply(count, one, Argument<const double, 6>{in, from}, Argument<const double, 6>{direction, along},
                Argument<double, 6>{out, to});

@@ -201,8 +201,10 @@ double log_slope(const Pair& pair) {
 // Returns f(M) by Newton's form: f(T) = mean + slope * (T - middle) + curve * ((T - middle)^2 - disc).
 Mat3<double> value_of(const Values& f, const Deflated& d, const Pair& pair) {
   const Mat3<double>& t = d.t;
-  const double way = t[0] - pair.middle, curve = (f.difference - f.slope * way) / (way * way - pair.disc);
-  const double x = f.slope + curve * (way - pair.middle);  // the first row is (t[1], t[2]) * (x + curve * B)
+  const double offset = t[0] - pair.middle,
+               curve = (f.difference - f.slope * offset) / (offset * offset - pair.disc);
+  const double x =
+      f.slope + curve * (offset - pair.middle);  // the first row is (t[1], t[2]) * (x + curve * B)
   const Mat3<double> value{f.single,
                            x * t[1] + curve * (t[1] * t[4] + t[2] * t[7]),
                            x * t[2] + curve * (t[1] * t[5] + t[2] * t[8]),

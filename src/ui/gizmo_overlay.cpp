@@ -168,8 +168,8 @@ namespace {
 
 void cross(const Context& ui, OverlayPainter& painter, const glm::vec2& at, ImU32 color) {
   constexpr float inner = 4, outer = 11;
-  for (const glm::vec2 way : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)})
-    painter.line(at + inner * way, at + outer * way, color, 1.5f);
+  for (const glm::vec2 direction : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)})
+    painter.line(at + inner * direction, at + outer * direction, color, 1.5f);
   painter.circle(at, 7, color, 1.25f);
   painter.disc(at, 1.5f, ui.colors.text);
 }

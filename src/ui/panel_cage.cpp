@@ -166,7 +166,7 @@ float words(const Context& ui, const std::string& title, const std::string& what
   return width;
 }
 
-void ways_to_a_cage(const Context& ui) {
+void cage_sources(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   const float width =
       words(ui, "This model has no cage", "A cage is a coarse mesh around the model. Drag it to deform.");
@@ -189,7 +189,7 @@ float cage_offer(const Context& ui, float bottom) {
     words(ui, document::title(*finding), document::meaning(*finding));
     command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
   } else {
-    ways_to_a_cage(ui);
+    cage_sources(ui);
   }
   return ImGui::GetWindowPos().y + 28;
 }

@@ -207,8 +207,8 @@ void apply(workspace::Workspace& workspace, int axis, double value) {
   } else if (tool == interact::Tool::scale) {
     transform.factors[axis] = value;
   } else {
-    const double way = value - along(grip.anchor.axes, grip.anchor.center)[axis];
-    transform.shift = way * grip.anchor.axes[axis];
+    const double offset = value - along(grip.anchor.axes, grip.anchor.center)[axis];
+    transform.shift = offset * grip.anchor.axes[axis];
     tool = interact::Tool::move;
   }
   if (interact::transform_selection(document, tool, grip, transform)) return;

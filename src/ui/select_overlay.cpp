@@ -39,10 +39,10 @@ void lasso_line(const Context& ui, OverlayPainter& painter, const interact::Lass
   if (line.size() < 2) return;
   painter.line(line, ui.colors.text, 1.5f);
   // The closing segment: dashes from the end to the start.
-  const glm::vec2 from = line.back(), way = line.front() - from;
-  const float length = glm::length(way);
+  const glm::vec2 from = line.back(), edge = line.front() - from;
+  const float length = glm::length(edge);
   for (float d = 0; d < length; d += 9)
-    painter.line(from + way * (d / length), from + way * (std::min(d + 5, length) / length), ui.colors.text,
+    painter.line(from + edge * (d / length), from + edge * (std::min(d + 5, length) / length), ui.colors.text,
                  1.25f, 0.7f);
 }
 

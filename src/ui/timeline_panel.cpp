@@ -22,9 +22,9 @@ namespace {
 
 constexpr float bar_height = 24, more_width = 28, icon = 5;
 
-void arrow(const Pen& pen, float x, float way) {
-  pen.draw.AddTriangleFilled(pen.at(x + way, 0), pen.at(x - 0.4f * way, -0.9f), pen.at(x - 0.4f * way, 0.9f),
-                             pen.color);
+void arrow(const Pen& pen, float x, float length) {
+  pen.draw.AddTriangleFilled(pen.at(x + length, 0), pen.at(x - 0.4f * length, -0.9f),
+                             pen.at(x - 0.4f * length, 0.9f), pen.color);
 }
 void bar(const Pen& pen, float x) {
   pen.draw.AddRectFilled(pen.at(x - 0.18f, -0.9f), pen.at(x + 0.18f, 0.9f), pen.color);
@@ -176,7 +176,7 @@ void transport(const Context& ui, float right) {
   row_of_pieces(ui, "time/more", pieces, right);
 }
 
-void way_choice(const Context& ui) {
+void interpolation_choice(const Context& ui) {
   const bool linear = ui.workspace.document.timeline().linear;
   const workspace::Command& command = *workspace::find_command("toggle_linear");
   const char* labels[] = {"Log space", "Linear"};
@@ -244,7 +244,7 @@ void range(const Context& ui, float right) {
                                  choice_list(ui, "time/repeat", std::optional(document.timeline().repeat), 92,
                                              {.prefix = "time/"});
                                }},
-                              {134, 8, [&] { way_choice(ui); }},
+                              {134, 8, [&] { interpolation_choice(ui); }},
                               {132, 8, [&] { easing_choice(ui); }}};
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }

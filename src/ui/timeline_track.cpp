@@ -70,8 +70,9 @@ void key_mark(const Track& t, ImDrawList& draw, const document::PoseKey& key, bo
     // The line to the next key is thin for the easing `hold`.
     const auto& keys = t.ui.workspace.document.timeline().keys;
     const auto after = std::ranges::upper_bound(keys, key.frame, {}, &document::PoseKey::frame);
-    const ImU32 way = faded(t.ui.colors.accent, key.easing == document::Easing::hold ? 0.15f : 0.5f);
-    draw.AddLine({x, y}, {t.x_of(after->frame), y}, way, key.easing == document::Easing::hold ? 1.0f : 2.0f);
+    const ImU32 line_color = faded(t.ui.colors.accent, key.easing == document::Easing::hold ? 0.15f : 0.5f);
+    draw.AddLine({x, y}, {t.x_of(after->frame), y}, line_color,
+                 key.easing == document::Easing::hold ? 1.0f : 2.0f);
   }
   draw.AddQuadFilled({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, color);
   draw.AddQuad({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, t.ui.colors.halo, 1);
@@ -184,7 +185,7 @@ void take_mouse(const Track& t) {
   if (hovered && key && !w.view.time.drag) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 }
 
-void way_in(const Track& t, ImDrawList& draw) {
+void hint_on_empty_track(const Track& t, ImDrawList& draw) {
   const workspace::Workspace& w = t.ui.workspace;
   if (!w.document.timeline().empty()) return;
   const char* text =
@@ -213,7 +214,7 @@ void timeline_track(const Context& ui, ImVec2 low, ImVec2 high) {
   outside(track, draw);
   keys(track, draw);
   box(track, draw);
-  way_in(track, draw);
+  hint_on_empty_track(track, draw);
   playhead(track, draw);
   draw.PopClipRect();
 }

@@ -103,8 +103,8 @@ void drag_time(Workspace& w, double frame) {
     case TimeView::What::keys: return drag_keys(w, *drag, frame);
     case TimeView::What::box: return drag_box(w, *drag, frame);
     case TimeView::What::pan: {
-      const double way = drag->pressed - frame;
-      w.view.time.seen = {drag->seen.first + way, drag->seen.last + way};
+      const double shift = drag->pressed - frame;
+      w.view.time.seen = {drag->seen.first + shift, drag->seen.last + shift};
       return;
     }
   }

@@ -27,8 +27,8 @@ std::vector<mesh::Point> corners(const mesh::Bounds& box) {
 }
 
 mesh::Bounds cube_around(const mesh::Point& center, double half) {
-  const mesh::Vec3 way{half, half, half};
-  return {center - way, center + way};
+  const mesh::Vec3 corner{half, half, half};
+  return {center - corner, center + corner};
 }
 
 // The posed positions of all vertices that belong to triangles of the cage.

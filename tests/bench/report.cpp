@@ -131,8 +131,8 @@ TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   for (const auto& t : json["frames"])
     if (t["threads"] == 1 && t["name"] == "fused, dense")
       CHECK(test::mentions(page, ">" + base::few_digits(t["cpu_ms"]) + "<"));
-  for (const auto& way : json["deformers"]["results"])
-    CHECK(test::mentions(page, ">" + base::few_digits(way["frame_ms"]) + "<"));
+  for (const auto& row : json["deformers"]["results"])
+    CHECK(test::mentions(page, ">" + base::few_digits(row["frame_ms"]) + "<"));
   const auto& tall = json["shapes"][0];
   CHECK(tall["linear"]["volumes"].size() == 21);
   CHECK(double(tall["linear"]["volumes"][20]) == doctest::Approx(2));
@@ -165,15 +165,15 @@ TEST_CASE("paths_are_quoted_for_the_shell") {
 }
 
 // Returns the median and the worst value over the dragon's poses, relative to mean value coordinates.
-std::pair<double, double> energy(const nlohmann::json& report, const char* way) {
+std::pair<double, double> energy(const nlohmann::json& report, const char* deformer) {
   for (const auto& result : report["deformers"]["results"]) {
-    if (result["deformer"] != way) continue;
+    if (result["deformer"] != deformer) continue;
     std::vector<double> all;
     for (const auto& pose : result["poses"]) all.push_back(pose["energy_to_mean_value"]);
     std::ranges::sort(all);
     return {all[all.size() / 2], all.back()};
   }
-  FAIL("no way " << way);
+  FAIL("no deformer " << deformer);
   return {};
 }
 

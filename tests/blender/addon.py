@@ -59,12 +59,12 @@ def update():
     bpy.context.view_layer.update()
 
 
-def expected(ball, way="smooth"):
+def expected(ball, deformer="smooth"):
     """Returns the expected vertices. Calls the engine directly."""
     import viete
     depsgraph = bpy.context.evaluated_depsgraph_get()
     rest = np.frombuffer(ball[follow.REST], np.float64).reshape(-1, 3)
-    d = viete.Deformer(follow.rest_of(ball), engine.corners_of(ball.data), rest, engine.corners_of(ball.viete.cage.data), way,
+    d = viete.Deformer(follow.rest_of(ball), engine.corners_of(ball.data), rest, engine.corners_of(ball.viete.cage.data), deformer,
                        dtype="float32")
     return d.deform(follow.pose_of(ball, depsgraph))
 

@@ -89,7 +89,7 @@ TEST_CASE("fitted_cage_encloses_the_box_with_the_same_shape") {
     CHECK(0.5 * (now.high[k] + now.low[k]) == doctest::Approx(box.center()[k]));
   }
   for (std::size_t v = 1; v < cage.positions.size(); ++v) {
-    const Point way = fitted.scale * (cage.positions[v] - cage.positions[0]);
-    CHECK(mesh::norm(fitted.positions[v] - fitted.positions[0] - way) < 1e-9);
+    const Point offset = fitted.scale * (cage.positions[v] - cage.positions[0]);
+    CHECK(mesh::norm(fitted.positions[v] - fitted.positions[0] - offset) < 1e-9);
   }
 }

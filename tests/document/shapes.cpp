@@ -87,9 +87,9 @@ struct BarFiles : test::TemporaryFolder {
     return *this / "cage.obj";
   }
   // Moves a pin as a drag does.
-  void move_pin(std::size_t pin, const mesh::Vec3& way) {
+  void move_pin(std::size_t pin, const mesh::Vec3& offset) {
     record_edit(document(), "move a pin");
-    document().changed_probes().all[pin].pose.move = document().probes().all[pin].pose.move + way;
+    document().changed_probes().all[pin].pose.move = document().probes().all[pin].pose.move + offset;
     settle_pins();
   }
   void settle_pins() {

@@ -129,9 +129,9 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
   cube.document.changed_timeline().keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
   base::WorkerPool pool(2);
   std::size_t in_float = 0;
-  for (const auto way : base::all_values<pose::Preset>()) {
-    CAPTURE(base::entry_of(way).word);
-    cube.document.put_deformer(pose::deformer_of(way));
+  for (const auto preset : base::all_values<pose::Preset>()) {
+    CAPTURE(base::entry_of(preset).word);
+    cube.document.put_deformer(pose::deformer_of(preset));
     const AnimationExport what = animation_export_of(cube.document, cube / "a.pc2");
     const std::string summary = write_animation(what).summary;
     const double stated = stated_error(summary) * cage.diagonal;

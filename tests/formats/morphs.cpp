@@ -453,21 +453,23 @@ TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
   const std::size_t plain = parts.accessor(std::vector<float>{0, 1, 2, 3}, 5126, "SCALAR", 1);
   const std::size_t back = parts.accessor(std::vector<float>{1, 0}, 5126, "SCALAR", 1);
   const std::size_t nan = parts.accessor(std::vector<float>{0, std::nanf(""), 2, 3}, 5126, "SCALAR", 1);
-  const auto clip_of = [&](std::size_t in, std::size_t out, const char* way) {
+  const auto clip_of = [&](std::size_t in, std::size_t out, const char* interpolation) {
     parts.json["animations"] = {
         {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
-         {"samplers", {{{"input", in}, {"output", out}, {"interpolation", way}}}}}};
+         {"samplers", {{{"input", in}, {"output", out}, {"interpolation", interpolation}}}}}};
     return test::read_kept(parts.glb(), "glb").original->morphs();
   };
-  for (const char* way : {"LINEAR", "STEP", "CUBICSPLINE"}) {
-    const auto clip = clip_of(input, *way == 'C' ? cubic : plain, way);
+  for (const char* interpolation : {"LINEAR", "STEP", "CUBICSPLINE"}) {
+    const auto clip = clip_of(input, *interpolation == 'C' ? cubic : plain, interpolation);
     CHECK(clip->at_key(0)[0] == Point{0, 0, 1});
     CHECK(clip->at_key(1)[0] == Point{0, 0, 5});
     // Weights at 0.25 s, by the Hermite polynomials; the sum of both targets is the height.
-    CHECK(clip->at(0.25)[0][2] == doctest::Approx(*way == 'L' ? 2 : *way == 'S' ? 1 : 3.3125));
-    CHECK(clip->curves() == std::vector{*way == 'L'   ? MorphCurve::linear
-                                        : *way == 'S' ? MorphCurve::held
-                                                      : MorphCurve::other});
+    CHECK(clip->at(0.25)[0][2] == doctest::Approx(*interpolation == 'L'   ? 2
+                                                  : *interpolation == 'S' ? 1
+                                                                          : 3.3125));
+    CHECK(clip->curves() == std::vector{*interpolation == 'L'   ? MorphCurve::linear
+                                        : *interpolation == 'S' ? MorphCurve::held
+                                                                : MorphCurve::other});
     CHECK(clip->notes().empty());
     CHECK(clip->targets() == std::vector<std::string>{"target 1", "target 2"});
     const auto warnings = test::read_kept(parts.glb(), "glb").warnings;

@@ -68,8 +68,8 @@ TEST_CASE("points_behind_the_camera_are_never_picked") {
   Workspace w = test::cube_workspace();
   const double s = w.document.space().scale;
   auto& camera = w.view.camera;
-  const auto along = [&](float way) {
-    const glm::vec3 p = camera.eye() + way * camera.forward();
+  const auto along = [&](float distance) {
+    const glm::vec3 p = camera.eye() + distance * camera.forward();
     return mesh::Point{p.x / s, p.y / s, p.z / s};
   };
   const glm::vec2 middle = pixel(w, along(3));

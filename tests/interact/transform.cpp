@@ -81,12 +81,12 @@ TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undon
 }
 
 TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken_back") {
-  const std::vector<std::vector<double>> displacements{{360},      {90, 270}, {120, 120, 120}, {180, 180},
-                                                       {200, 160}, {-360},    {1080},          {400, -40}};
+  const std::vector<std::vector<double>> step_lists{{360},      {90, 270}, {120, 120, 120}, {180, 180},
+                                                    {200, 160}, {-360},    {1080},          {400, -40}};
   for (const glm::dvec3& axis :
        {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::normalize(glm::dvec3(1, -2, 3))}) {
-    for (const auto& way : displacements) {
-      CAPTURE(way.front());
+    for (const auto& steps : step_lists) {
+      CAPTURE(steps.front());
       Document document = selected_cube();
       for (auto& p : document.changed_pose().positions) {
         p[0] += 0.4 * p[1] - 0.3 * p[2];
@@ -103,7 +103,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       };
       const mesh::Vec3 before = shown();
       double degrees = 0;
-      for (const double step : way) {
+      for (const double step : steps) {
         transform_selection(document, Tool::rotate, test::plain_grip(document), turn(step, axis));
         shown();
         degrees += step;
@@ -114,10 +114,10 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       CHECK_FALSE(same_pose(document.pose(), {posed, {before}}));
       transform_selection(document, Tool::rotate, test::plain_grip(document), turn(-degrees, axis));
       CHECK(mesh::norm(shown() - before) < 1e-6);
-      for (std::size_t i = 0; i <= way.size(); ++i) undo(document);
+      for (std::size_t i = 0; i <= steps.size(); ++i) undo(document);
       CHECK(mesh::norm(shown() - before) < 1e-12);
       redo(document);
-      for (std::size_t i = 1; i < way.size(); ++i) redo(document);
+      for (std::size_t i = 1; i < steps.size(); ++i) redo(document);
       CHECK(mesh::norm(shown() - turned) < 1e-9);
     }
   }

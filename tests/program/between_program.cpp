@@ -57,14 +57,14 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
 
 TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
   const ShapeFiles f;
-  for (const char* way : {"", " --linear", " --constant-speed", " --rest b.obj"}) {
-    CAPTURE(way);
+  for (const char* option : {"", " --linear", " --constant-speed", " --rest b.obj"}) {
+    CAPTURE(option);
     int at = 0;
     for (const char* name : {"rest.obj", "a.obj", "b.obj"}) {
-      f.done("between rest.obj a.obj b.obj -o m.obj --digits all --at " + std::to_string(at++) + way);
+      f.done("between rest.obj a.obj b.obj -o m.obj --digits all --at " + std::to_string(at++) + option);
       CHECK(f.read("m.obj") == f.read(name));
     }
-    f.done(std::string("between rest.obj a.obj b.obj -o 'f_#.obj' --frames 5 --digits all --force") + way);
+    f.done(std::string("between rest.obj a.obj b.obj -o 'f_#.obj' --frames 5 --digits all --force") + option);
     CHECK(f.read("f_1.obj") == f.read("rest.obj"));
     CHECK(f.read("f_3.obj") == f.read("a.obj"));
     CHECK(f.read("f_5.obj") == f.read("b.obj"));

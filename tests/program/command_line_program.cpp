@@ -24,8 +24,8 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model_and_rest_as
   CHECK(deformed.triangles == rest.triangles);
   CHECK(deformed.positions.size() == rest.positions.size());
   CHECK(deformed.positions != rest.positions);
-  for (const std::string way : {"paper", "mean-value"}) {
-    f.done("deform " + in_cage + " --pose " + quoted(cage) + " --force -o out.ply --deformer " + way);
+  for (const std::string deformer : {"paper", "mean-value"}) {
+    f.done("deform " + in_cage + " --pose " + quoted(cage) + " --force -o out.ply --deformer " + deformer);
     CHECK(distance(formats::read(f / "out.ply").surface.positions, rest.positions) <
           1e-13 * mesh::bounds(rest.positions).diagonal());
   }

@@ -140,14 +140,14 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.settle();
   auto& split = d.workspace().view.split;
   REQUIRE(split.sides().size() == 3);
-  std::set<std::string_view> ways;
+  std::set<std::string_view> presets;
   for (const auto& side : split.sides()) {
     CHECK(side.problem.empty());
-    const auto way = pose::preset_of(side.deformer);
-    REQUIRE(way);
-    ways.insert(base::entry_of(*way).word);
+    const auto preset = pose::preset_of(side.deformer);
+    REQUIRE(preset);
+    presets.insert(base::entry_of(*preset).word);
   }
-  CHECK(ways.size() == 3);
+  CHECK(presets.size() == 3);
   d.choose("side/1/deformer", "side/1/deformer_rigid");
   d.choose("side/2/deformer", "side/2/deformer_paper");
   d.choose("side/2/method", "side/2/method_SD");
@@ -245,7 +245,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   const double volume = glm::determinant(view.map);
   CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
   REQUIRE(view.evaluations.size() == 4);
-  for (const auto& way : view.evaluations) CHECK(way.error < 1e-12);
+  for (const auto& row : view.evaluations) CHECK(row.error < 1e-12);
   CHECK(view.evaluations[3].error ==
         doctest::Approx(std::pow(10, d.workspace().view.split.views[0].shown.stats.most)).epsilon(0.2));
   CHECK(view.evaluations[3].route.starts_with("degree 21"));

@@ -129,8 +129,8 @@ TEST_CASE("a_pin_under_a_rotated_cage_follows_the_cursor") {
   up.shift = {0, 0.2, 0};
   REQUIRE(interact::place_probes(d.document(), d.document().state(), up));
   d.settle();
-  const auto way = document::pinned_vertex(d.document(), 0) - before;
-  CHECK(mesh::norm(way - mesh::Point{0, 0.2, 0}) < 0.02);
+  const auto moved = document::pinned_vertex(d.document(), 0) - before;
+  CHECK(mesh::norm(moved - mesh::Point{0, 0.2, 0}) < 0.02);
   CHECK(std::abs(pin.pose.move[2] + 0.2) < 0.02);  // relative to the shape
   CHECK(mesh::norm(document::pinned_vertex(d.document(), 0) - document::probe_center(d.document(), 0)) <
         1e-3);

@@ -139,13 +139,13 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   Driver& d = small.d;
   const auto shows = [&](const char* widget) { return d.viewer().recorder().find(widget).has_value(); };
   const auto& deformer = d.document().deformer();
-  for (const auto way : base::all_values<pose::Preset>()) {
-    CAPTURE(base::entry_of(way).word);
-    d.choose("deformer", workspace::choice_command_name(way));
+  for (const auto preset : base::all_values<pose::Preset>()) {
+    CAPTURE(base::entry_of(preset).word);
+    d.choose("deformer", workspace::choice_command_name(preset));
     d.settle();
-    CHECK(deformer == pose::deformer_of(way));
+    CHECK(deformer == pose::deformer_of(preset));
     CHECK(d.viewer().deformer()->deformer() == deformer);
-    CHECK(shows("radius") == (way == pose::Preset::local));
+    CHECK(shows("radius") == (preset == pose::Preset::local));
     CHECK_FALSE(shows("weights"));
   }
   CHECK(test::edit_count(d.document().history()) == choices(pose::Preset{}).size());
@@ -215,9 +215,9 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
   const auto& stats = d.workspace().frame.methods;
   for (const auto& sample : stats.samples) CHECK(sample.ns_per_matrix > 0);
   CHECK(stats.samples[3].worst_error < 1e-14);
-  for (const auto way : base::all_values<pose::Preset>()) {
-    CAPTURE(base::entry_of(way).word);
-    document::set_deformer(d.document(), pose::deformer_of(way));
+  for (const auto preset : base::all_values<pose::Preset>()) {
+    CAPTURE(base::entry_of(preset).word);
+    document::set_deformer(d.document(), pose::deformer_of(preset));
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);

@@ -41,15 +41,15 @@ struct Held : Driver {
     frame(3);
   }
   // Drags a widget and presses Esc. After that, all data must be as before, including the redo list.
-  void check_called_off(const std::string& widget, glm::vec2 way) {
+  void check_called_off(const std::string& widget, glm::vec2 offset) {
     const glm::vec2 at = place_of(widget);
     const auto before = state(workspace());
-    press_and_move(at, at + way);
+    press_and_move(at, at + offset);
     CHECK_MESSAGE(!(state(workspace()) == before), widget, " does not move");
     CHECK_MESSAGE(!has_tooltip(), widget);
     press_key(workspace::Key::escape);
     CHECK_MESSAGE(state(workspace()) == before, widget);
-    move(at - way);
+    move(at - offset);
     button(0, false);
     frame(2);
     CHECK_MESSAGE(state(workspace()) == before, widget);

@@ -80,10 +80,10 @@ class Dragon(WithFolder):
         size = lambda points: np.linalg.norm(np.ptp(points, axis=0))
         noise = 0.03 * size(rest) * np.random.default_rng(1).normal(size=rest.shape)
         poses = [self.pose, viete.read(ASSETS / "pose_coil.obj").vertices, rest + noise, 3 * rest]
-        for way in ("smooth", "paper", "mean-value", "rigid", "arap", "local"):
-            exact, fast = self.bound(deformer=way), self.bound(deformer=way, dtype="float32")
+        for deformer in ("smooth", "paper", "mean-value", "rigid", "arap", "local"):
+            exact, fast = self.bound(deformer=deformer), self.bound(deformer=deformer, dtype="float32")
             for i, pose in enumerate(poses):
-                with self.subTest(way=way, pose=i):
+                with self.subTest(deformer=deformer, pose=i):
                     error = np.linalg.norm(fast.deform(pose) - exact.deform(pose), axis=1).max()
                     self.assertLess(error, 1e-4 * max(size(rest), size(pose)))
 
@@ -208,10 +208,10 @@ class Arrays(WithFolder):
         self.assertTrue(np.array_equal(first, expected))
 
     def test_moved_cage_moves_the_model_equally(self):
-        for way in ("smooth", "paper", "mean-value", "rigid", "arap"):
+        for deformer in ("smooth", "paper", "mean-value", "rigid", "arap"):
             for dtype in ("float64", "float32"):
-                with self.subTest((way, dtype)):
-                    moved = self.bound(deformer=way, dtype=dtype).deform(turned(CUBE, 0.7) + 1)
+                with self.subTest((deformer, dtype)):
+                    moved = self.bound(deformer=deformer, dtype=dtype).deform(turned(CUBE, 0.7) + 1)
                     self.assertLess(np.abs(moved - (turned(self.model, 0.7) + 1)).max(), 1e-5)
 
     def test_wrong_arrays_are_rejected(self):

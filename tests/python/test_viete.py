@@ -121,8 +121,8 @@ class LogSpace(unittest.TestCase):
         m, w, c = affine(4, 5), np.array([0.4, 0.1, 0.2, 0.2, 0.1]), affine(1)[0]
         self.assert_equal(viete.affine_combine(m, w), viete.affine_exp(np.einsum("k,ikab->iab", w, viete.affine_log(m))))
         self.assert_equal(viete.affine_mean(c @ m, w)[0], c @ viete.affine_mean(m, w)[0])
-        way = viete.affine_interpolate(m[0], m[1], np.linspace(0, 1, 3)[:, None])
-        for step, expected in zip(way, (m[0], viete.affine_mean(m[:2].swapaxes(0, 1))[0], m[1])):
+        steps = viete.affine_interpolate(m[0], m[1], np.linspace(0, 1, 3)[:, None])
+        for step, expected in zip(steps, (m[0], viete.affine_mean(m[:2].swapaxes(0, 1))[0], m[1])):
             self.assert_equal(step, expected)
         a, b = positive(np.float64, 2, 7)
         self.assert_equal(viete.interpolate(packed(a), packed(b), 0.5), packed(viete.mean(np.stack([a, b], axis=1))))

@@ -229,21 +229,21 @@ double sensitivity(const F& f, const QuadMat& m) {
     const QuadMat change = quad_combined(f(moved), at, 1 / relative, -1 / relative);
     for (int i = 0; i < 9; ++i) by_entry[k][i] = static_cast<double>(change[i]);
   }
-  std::array<double, 9> way{1, .9, .8, -.7, 1.1, .6, .5, -.4, 1.2};
+  std::array<double, 9> direction{1, .9, .8, -.7, 1.1, .6, .5, -.4, 1.2};
   double largest = 0;
   for (int n = 0; n < 30; ++n) {
     std::array<double, 9> image{}, back{};
     double length = 0;
-    for (int k = 0; k < 9; ++k) length = std::hypot(length, way[k]);
+    for (int k = 0; k < 9; ++k) length = std::hypot(length, direction[k]);
     for (int k = 0; k < 9; ++k) {
-      for (int i = 0; i < 9; ++i) image[i] += by_entry[k][i] * way[k] / length;
+      for (int i = 0; i < 9; ++i) image[i] += by_entry[k][i] * direction[k] / length;
     }
     largest = 0;
     for (const double x : image) largest = std::hypot(largest, x);
     for (int k = 0; k < 9; ++k) {
       for (int i = 0; i < 9; ++i) back[k] += by_entry[k][i] * image[i];
     }
-    way = back;
+    direction = back;
   }
   return largest;
 }

@@ -157,7 +157,7 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
 TEST_CASE("an_unkeyed_pose_is_unsaved_work_after_being_replaced") {
   Played p;
   test::add_two_poses(p.document());
-  const std::map<std::string, std::function<void()>> ways{
+  const std::map<std::string, std::function<void()>> transitions{
       {"a step", [&] { test::run_command(p.w, "next_frame"); }},
       {"a key", [&] { test::run_command(p.w, "previous_key"); }},
       {"an end", [&] { test::run_command(p.w, "last_frame"); }},
@@ -177,8 +177,8 @@ TEST_CASE("an_unkeyed_pose_is_unsaved_work_after_being_replaced") {
          apply_pose(p.w, 1);
          go_to_frame(p.w, 9);
        }}};
-  for (const auto& [way, go] : ways) {
-    CAPTURE(way);
+  for (const auto& [transition, go] : transitions) {
+    CAPTURE(transition);
     p.go_to(6);
     mark_saved(p.w);
     p.put(turned_cube(33));

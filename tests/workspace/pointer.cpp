@@ -158,13 +158,13 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
   int tried = 0;
   for (const auto& ring : gizmo.rings) {
     for (const auto& point : ring) {
-      const glm::vec2 way = glm::normalize(point.at - gizmo.center);
+      const glm::vec2 outward = glm::normalize(point.at - gizmo.center);
       for (const float off : {-11.0f, 11.0f}) {
-        const glm::vec2 at = point.at + off * way;
+        const glm::vec2 at = point.at + off * outward;
         const auto edge = pick_element(m.w.document, m.w.view.camera, m.w.view.viewport, at);
         if (!point.front || pick_handle(gizmo, at) || !edge || edge->index == selected.front()) continue;
         ++tried;
-        m.drag(at, at + 25.0f * glm::vec2(-way.y, way.x));
+        m.drag(at, at + 25.0f * glm::vec2(-outward.y, outward.x));
         CHECK(m.selected() == selected);
         CHECK(m.w.document.history().undo_label() == "rotate an edge");
         undo(m.w.document);

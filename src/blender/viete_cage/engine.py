@@ -37,8 +37,8 @@ def corners_of(mesh):
     return [corners[s:s + n] for s, n in zip(starts, totals)]
 
 
-def by_module(vertices, faces, cage, cage_faces, way, arap, mask):
-    deformer = viete.Deformer(vertices, faces, cage, cage_faces, way, arap=arap, iterations=3 if arap else None, dtype="float32")
+def by_module(vertices, faces, cage, cage_faces, deformer_name, arap, mask):
+    deformer = viete.Deformer(vertices, faces, cage, cage_faces, deformer_name, arap=arap, iterations=3 if arap else None, dtype="float32")
     deformer.keeps_turns = True
     deformer.set_mask(mask)
     return deformer
@@ -47,12 +47,12 @@ def by_module(vertices, faces, cage, cage_faces, way, arap, mask):
 class ByProgram:
     """Deforms with the child process `viete deform --stream`, through pipes."""
 
-    def __init__(self, vertices, faces, cage, cage_faces, way, arap, mask):
+    def __init__(self, vertices, faces, cage, cage_faces, deformer_name, arap, mask):
         self.folder = tempfile.TemporaryDirectory(prefix="viete-")
         place = pathlib.Path(self.folder.name)
         write_obj(place / "model.obj", vertices, faces)
         write_obj(place / "cage.obj", cage, cage_faces)
-        words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--deformer", way]
+        words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--deformer", deformer_name]
         if arap:
             words += ["--arap", "--iterations", "3"]
         if mask is not None:
