@@ -1,9 +1,9 @@
 #include "app/assets.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "base/error.h"
+#include "base/os.h"
 #include "base/text.h"
 
 namespace viete::app {
@@ -11,15 +11,14 @@ namespace viete::app {
 namespace fs = std::filesystem;
 
 fs::path program_folder() {
-  std::error_code ignored;
-  return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  return base::os::program_file().parent_path();
 }
 
 namespace {
 
 fs::path assets_folder() {
   std::vector<fs::path> places;
-  if (const char* named = std::getenv("VIETE_ASSETS")) places.emplace_back(named);
+  if (std::string named = base::os::variable("VIETE_ASSETS"); !named.empty()) places.emplace_back(named);
   places.push_back(program_folder() / ".." / "share" / "viete");
   places.emplace_back(VIETE_SOURCE_ASSETS);
   std::vector<std::string> looked;

@@ -1,10 +1,10 @@
 #include "app/autosave.h"
 
-#include <cstdlib>
 #include <utility>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/os.h"
 #include "files/session.h"
 #include "workspace/saving.h"
 
@@ -13,12 +13,6 @@ namespace viete::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path absolute_path_in(const char* variable) {
-  const char* value = std::getenv(variable);
-  const fs::path path = value ? value : "";
-  return path.is_absolute() ? path : fs::path();
-}
 
 constexpr double longest_wait = 1e-3;  // seconds that a frame waits for a write
 constexpr double backup_timeout = 10;  // seconds to wait for a backup before the document is closed
@@ -34,9 +28,8 @@ void make_folder(const fs::path& folder) {
 }  // namespace
 
 fs::path state_folder() {
-  if (const fs::path folder = absolute_path_in("XDG_STATE_HOME"); !folder.empty()) return folder / "viete";
-  const fs::path home = absolute_path_in("HOME");
-  return home.empty() ? home : home / ".local/state/viete";
+  const fs::path folder = base::os::state_folder();
+  return folder.empty() ? folder : folder / "viete";
 }
 
 Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)

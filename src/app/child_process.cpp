@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/os.h"
 #include "base/process.h"
 
 namespace viete::app {
@@ -39,13 +40,6 @@ ChildOutput output_of(const base::ChildProgram& child) {
 
 }  // namespace
 
-// The first process only tests whether xdg-open is installed.
-void open_in_browser(const fs::path& page) {
-  const std::string advice = "open " + page.string() + " in a browser";
-  base::ChildProgram({"xdg-open", "--version"}, advice).finish();
-  base::ChildProgram({"setsid", "--fork", "xdg-open", page.string()}, advice).finish();
-}
-
 std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress) {
   constexpr auto look_again = std::chrono::milliseconds(50);
   base::ChildProgram child(words, "start this program again", {"VIETE_PROGRESS=1"});
@@ -76,7 +70,7 @@ std::string create_and_show_report(const fs::path& program, const fs::path& stat
   run_child({program.string(), "report", "--quick", "--force", "-o", folder.string()}, progress);
   const fs::path page = folder / "index.html";
   try {
-    open_in_browser(page);
+    base::os::open_page(page);
   } catch (const base::Error& error) {
     return std::string("The report is complete. ") + error.what();
   }

@@ -14,9 +14,6 @@ namespace viete::app {
 /// is cancelled, stops the program and throws base::Cancelled. Thread-safe.
 std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress);
 
-/// Opens the page in a browser and returns at once. Throws base::Error if no browser can be started.
-void open_in_browser(const std::filesystem::path& page);
-
 /// Creates a short report in a subfolder of `state` and opens the report in the browser. If `state` is empty,
 /// uses the temporary folder. `program` is the path of `viete`. Returns a message. Throws like run_child().
 std::string create_and_show_report(const std::filesystem::path& program, const std::filesystem::path& state,

@@ -1,10 +1,8 @@
 #include "app/command_line.h"
 
-#include <pthread.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +17,7 @@
 #include "base/background.h"
 #include "base/clock.h"
 #include "base/error.h"
+#include "base/os.h"
 #include "base/worker_pool.h"
 #include "sym3/kernel.h"
 
@@ -86,11 +85,10 @@ constexpr const char* clear_line = "\r\x1B[K";
 }  // namespace
 
 int run_program(int argc, char** argv, const Program& program) {
-  // Failed writes are then errors, after which unfinished files are removed.
-  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+  std::vector<std::string> arguments = base::os::start_program(argc, argv);
   base::remove_parts_at_signals();
   try {
-    return run(program, {argv + 1, argv + argc});
+    return run(program, std::move(arguments));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "viete: %s\n", base::message_of(error).c_str());
     return exit_failed;
@@ -99,44 +97,36 @@ int run_program(int argc, char** argv, const Program& program) {
 
 TerminalProgress::TerminalProgress(std::string what)
     : what_(std::move(what)),
-      shows_(isatty(STDERR_FILENO) == 1),
-      counts_(!shows_ && std::getenv("VIETE_PROGRESS") != nullptr) {
-  sigemptyset(&signals_);
-  sigaddset(&signals_, SIGINT);
-  sigaddset(&signals_, SIGTERM);
-  struct sigaction hang_up {};
-  if (sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler != SIG_IGN)  // nohup ignores it
-    sigaddset(&signals_, SIGHUP);
-  pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-  watcher_ = base::try_thread([this](const std::stop_token& stop) { watch(stop); });
-  if (!watcher_.joinable()) pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+      shows_(base::os::is_terminal(stderr)),
+      counts_(!shows_ && !base::os::variable("VIETE_PROGRESS").empty()) {
+  if (shows_ || counts_) watcher_ = base::try_thread([this](const std::stop_token& stop) { watch(stop); });
 }
 
 TerminalProgress::~TerminalProgress() {
   watcher_ = {};
   if (shows_) std::fputs(clear_line, stderr);
-  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void TerminalProgress::cancel() {
+  constexpr double time_to_stop = 2;  // the time to cancel the work and remove unfinished files
+  const double now = base::wall_seconds();
+  if (!cancelled_) {
+    cancelled_ = now;
+    progress_.cancel();
+  } else if (now - *cancelled_ > time_to_stop) {
+    requests_.end_process();
+  }
 }
 
 void TerminalProgress::watch(const std::stop_token& stop) {
-  constexpr timespec tick{0, 50'000'000};
+  constexpr auto tick = std::chrono::milliseconds(50);
   constexpr double shown_every = 0.2;
-  constexpr double time_to_stop = 2;  // the time to cancel the work and remove unfinished files
   const double begun = base::wall_seconds();
   double shown = begun;
-  std::optional<double> cancelled;
   int counted = 0;
   while (!stop.stop_requested()) {
-    const bool signal = sigtimedwait(&signals_, nullptr, &tick) > 0;
+    std::this_thread::sleep_for(tick);
     const double now = base::wall_seconds();
-    if (signal && cancelled && now - *cancelled > time_to_stop) {
-      pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-      std::raise(SIGINT);
-    }
-    if (signal && !cancelled) {
-      cancelled = now;
-      progress_.cancel();
-    }
     const int percent = static_cast<int>(100 * progress_.done());
     if (counts_ && percent > counted) std::fprintf(stderr, "%d %%\n", counted = percent);
     if (!shows_ || now - shown < shown_every) continue;

@@ -2,12 +2,13 @@
 // progress in the terminal and Ctrl+C.
 #pragma once
 
-#include <csignal>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "base/os.h"
 #include "base/progress.h"
 
 namespace CLI {
@@ -55,8 +56,8 @@ int run_program(int argc, char** argv, const Program& program);
 /// If stderr is a terminal, one line shows task, progress and remaining time. Otherwise, if $VIETE_PROGRESS
 /// is set, prints a line such as "37 %" for every percent. While this object exists, Ctrl+C, SIGTERM and
 /// SIGHUP cancel the work: the next progress report throws base::Cancelled. A second signal more than two
-/// seconds later ends the program at once. Create this object before other threads, because threads inherit
-/// its blocked signals. If no thread can be created, shows nothing, and a signal ends the program at once.
+/// seconds later ends the program at once. If no thread can be created, shows nothing, and a signal ends the
+/// program at once.
 class TerminalProgress {
 public:
   explicit TerminalProgress(std::string what);
@@ -67,13 +68,15 @@ public:
   base::Progress& progress() { return progress_; }
 
 private:
+  void cancel();
   void watch(const std::stop_token& stop);
 
   std::string what_;
   base::Progress progress_;
   bool shows_, counts_;
-  sigset_t signals_{}, before_{};
+  std::optional<double> cancelled_;  // the time of the first request to end, in wall seconds
   std::jthread watcher_;
+  base::os::EndRequests requests_{[this] { cancel(); }};
 };
 
 /// Text such as "37 %", "37 %, 12 s left" or "37 %, 3 min left". `seconds` is the elapsed time.

@@ -1,7 +1,5 @@
 // viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: exports the deformed mesh.
 // viete deform MODEL CAGE --stream: deforms continuously for another program.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -134,9 +132,10 @@ void stream_poses(const files::Export& what) {
 }
 
 int stream(const DeformOptions& options) {
-  if (isatty(STDOUT_FILENO))
+  if (base::os::is_terminal(stdout))
     throw base::Error("--stream", "positions would be written to the terminal",
                       "redirect the output to a program or a file");
+  for (std::FILE* file : {stdin, stdout}) base::os::make_binary(file);
   const files::Opened opened = open(options.inputs, files::check_deformable);
   print_notes(opened.warnings);
   if (!opened.document->has_cage())

@@ -63,11 +63,13 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
 class ScratchFolder {
 public:
   ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "viete-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw base::Error(name, "no folder can be created there",
+    path_ = base::unused_name(fs::temp_directory_path() / ("viete-" + base::process_name()));
+    std::error_code code;
+    const bool created = fs::create_directory(path_, code);
+    if (created) fs::permissions(path_, fs::perms::owner_all, code);
+    if (!created || code)
+      throw base::Error(path_.string(), "no folder can be created there",
                         "set TMPDIR to a writable folder with free space");
-    path_ = name;
   }
   ~ScratchFolder() {
     std::error_code ignored;

@@ -104,7 +104,7 @@ public:
   /// Loads the preferences into the workspace. `state` is the folder for preferences and backups. If it is
   /// empty, nothing is stored. `program` is the path of `viete`, which renders animations in a child process.
   FileDesk(const std::filesystem::path& state, workspace::Workspace& workspace,
-           std::filesystem::path program = "/proc/self/exe", const base::Wake& wake = nullptr);
+           std::filesystem::path program = base::os::program_file(), const base::Wake& wake = nullptr);
 
   /// Reads files in the background; take_opened() returns them. If edits would be lost and cannot be backed
   /// up, first asks the user.

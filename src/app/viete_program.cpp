@@ -2,24 +2,17 @@
 // browser.
 #include "app/command_line.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/assets.h"
-#include "app/child_process.h"
 #include "app/options.h"
 #include "base/error.h"
+#include "base/os.h"
 
 namespace viete::app {
 
@@ -44,27 +37,15 @@ void check_first_word(const std::string& word, const CLI::App& app) {
 void build_bench(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "CMakeCache.txt")) return;
   std::fputs("viete: building the benchmarks before their first use\n", stderr);
-  std::string place = folder;
-  char words[][16] = {"cmake", "--build", "--target", "viete-bench"};
-  char* const arguments[] = {words[0], words[1], place.data(), words[2], words[3], nullptr};
-  posix_spawn_file_actions_t to_stderr;
-  ::posix_spawn_file_actions_init(&to_stderr);
-  ::posix_spawn_file_actions_adddup2(&to_stderr, STDERR_FILENO, STDOUT_FILENO);
-  pid_t child = 0;
-  if (::posix_spawnp(&child, words[0], &to_stderr, nullptr, arguments, environ) == 0)
-    ::waitpid(child, nullptr, 0);
-  ::posix_spawn_file_actions_destroy(&to_stderr);
+  base::os::run_and_wait({"cmake", "--build", folder.string(), "--target", "viete-bench"});
 }
 
 // Replaces this process by the program viete-bench in the folder of viete.
-[[noreturn]] void exec_bench(const std::vector<std::string>& arguments) {
-  const std::string program = program_folder() / "viete-bench";
+[[noreturn]] void exec_bench(std::vector<std::string> arguments) {
+  const std::filesystem::path program = program_folder() / base::os::program_name("viete-bench");
   if (!std::filesystem::exists(program)) build_bench(program_folder());
-  std::vector<char*> words = {const_cast<char*>(program.c_str())};
-  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  ::execv(program.c_str(), words.data());
-  throw base::Error(program, std::strerror(errno),
+  arguments.insert(arguments.begin(), program.string());
+  throw base::Error(program.string(), base::os::replace_process(arguments),
                     "build the benchmarks and run them with third_party/setup.sh bench");
 }
 
@@ -100,18 +81,10 @@ void add_commands(CLI::App& app, Action& action) {
   app.add_subcommand("report", report_text);
 }
 
-bool has_display() {
-  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
-    const char* const value = std::getenv(name);
-    if (value && *value) return true;
-  }
-  return false;
-}
-
 int show_manual(const std::string& chapter) {
   const std::filesystem::path page = manual_page(chapter);
-  std::printf("%s\n", page.c_str());
-  if (has_display()) open_in_browser(page);
+  std::printf("%s\n", page.string().c_str());
+  if (base::os::has_display()) base::os::open_page(page);
   return exit_ok;
 }
 

@@ -276,7 +276,7 @@ void Viewer::grant(const workspace::CloseProgram&) {
 
 void Viewer::grant(const workspace::ShowManual& wish) {
   try {
-    open_in_browser(manual_page(wish.chapter));
+    base::os::open_page(manual_page(wish.chapter));
     workspace_.messages.succeeded("manual");
   } catch (const base::Error& error) {
     workspace_.messages.error(base::message_of(error), {"manual"});
@@ -548,8 +548,7 @@ bool Viewer::save_screenshot() {
   if (!std::exchange(take_screenshot_, false)) return false;
   char name[64];
   const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
+  const std::tm local = base::os::local_time(now);
   std::strftime(name, sizeof name, "viete-%Y%m%d-%H%M%S.png", &local);
   try {
     std::error_code ignored;

@@ -62,7 +62,7 @@ struct ViewerOptions {
   bool builtin_font = false;   ///< true: text looks the same on every machine, for picture tests
   bool probe = true;           ///< true: measures the methods in the background
   std::filesystem::path state{};  ///< folder for preferences and backups, see FileDesk; may be empty
-  std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which runs as a child process
+  std::filesystem::path program = base::os::program_file();  ///< `viete`, which runs as a child process
   std::size_t moving_triangles = 2'000'000;  ///< larger models have drafts; GPUs have four times this limit
   base::Wake wake{};  ///< called by other threads when background work has ended; may be null
 };

@@ -1,19 +1,12 @@
 #include "base/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
-#include <csignal>
-#include <cstring>
 #include <utility>
 
 #include "base/error.h"
+#include "base/os.h"
 #include "base/process.h"
 
 namespace viete::base {
@@ -22,9 +15,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, int code) {
-  const bool full = code == ENOSPC || code == EDQUOT, limited = code == EFBIG;
-  throw Error(path.string(), std::string("cannot be written: ") + std::strerror(code),
+void check(const fs::path& path, const std::error_code& code) {
+  if (!code) return;
+  const bool full = os::is_disk_full(code), limited = code == std::errc::file_too_large;
+  throw Error(path.string(), "cannot be written: " + code.message(),
               full      ? "free some disk space"
               : limited ? "raise the limit of the file size (ulimit -f), or choose another disk"
                         : "choose a folder that exists and can be written");
@@ -66,47 +60,18 @@ std::string_view process_of_part(std::string_view name) {
   return ours ? process : "";
 }
 
-// Removes a part file of this user, unless a running program has locked it.
-void remove_if_left(const fs::path& part) {
-  const int handle = open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (handle < 0) return;
-  struct stat status {};
-  const bool ours = fstat(handle, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
-  if (ours && flock(handle, LOCK_EX | LOCK_NB) == 0) unlink(part.c_str());
-  close(handle);
-}
-
 // The part files of this process, for the signal handler; unused entries are null. Further files are left.
-std::array<std::atomic<const char*>, 64> own_parts{};
+using NativeName = const fs::path::value_type*;
+std::array<std::atomic<NativeName>, 64> own_parts{};
 
-void replace_own_part(const char* from, const char* to) {
+void replace_own_part(NativeName from, NativeName to) {
   for (auto& entry : own_parts)
-    if (const char* expected = from; entry.compare_exchange_strong(expected, to)) return;
+    if (NativeName expected = from; entry.compare_exchange_strong(expected, to)) return;
 }
 
-void end_by_signal(int number) {
+void remove_own_parts() {
   for (const auto& entry : own_parts)
-    if (const char* path = entry) unlink(path);
-  std::raise(number);  // with SA_RESETHAND, this ends the process when the handler returns
-}
-
-// The permission bits that a new file gets from the existing file. The setuid and setgid bits are excluded.
-constexpr mode_t kept_mode = 0777;
-
-// Makes a rename survive a power cut. Ignores errors, because some file systems do not support this.
-void sync_folder(const fs::path& folder) {
-  const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (handle < 0) return;
-  fsync(handle);
-  close(handle);
-}
-
-void check_rights(const fs::path& path, const fs::path& target) {
-  struct stat existing {};
-  if (stat(target.c_str(), &existing) != 0) return;
-  if ((existing.st_mode & S_IWUSR) == 0 || access(target.c_str(), W_OK) != 0)
-    throw Error(path.string(), "this file is write-protected",
-                "choose another name, or make it writable (chmod u+w)");
+    if (const NativeName path = entry) os::remove_at_end(path);
 }
 
 // Returns the path of the file to write. Throws Error for a folder, a device or a write-protected file.
@@ -120,14 +85,16 @@ fs::path checked_target(const fs::path& path) {
     throw Error(path.string(), "this is not a regular file", "choose another name");
   }
   if (target.empty()) throw Error("", "no file name is given", "give a file name");
-  check_rights(path, target);
+  if (os::is_write_protected(target))
+    throw Error(path.string(), "this file is write-protected",
+                "choose another name, or make it writable (chmod u+w)");
   return target;
 }
 
 }  // namespace
 
 // process_runs() cannot find processes in other containers or on other computers. Their part files stay
-// nevertheless, because they are locked and remove_if_left() keeps locked files.
+// nevertheless, because they are locked and remove_unless_held() keeps them.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::vector<fs::path> stale;
   std::error_code code;  // set if the folder cannot be read; the folder then counts as empty
@@ -138,58 +105,45 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
     const bool wanted = target.empty() || name.starts_with(part_begin(target) + std::string(process));
     if (!process.empty() && wanted && !process_runs(process)) stale.push_back(at->path());
   }
-  std::ranges::for_each(stale, remove_if_left);
+  std::ranges::for_each(stale, os::remove_unless_held);
 }
 
 // A part file. The destructor removes the file, unless become_target() has renamed it.
 struct FilesTogether::File {
   explicit File(const fs::path& target) : target_(target) {
     remove_stale_parts(target.parent_path(), target.filename().string());
-    struct stat existing {};
-    const mode_t mode = stat(target.c_str(), &existing) == 0 ? existing.st_mode & kept_mode : 0666;
-    for (int i = 0; handle_ < 0 && i < 1000; ++i) {
+    std::error_code code = std::make_error_code(std::errc::file_exists);
+    for (int i = 0; code == std::errc::file_exists && i < 1000; ++i) {
       path_ = part_of(target, i);
-      handle_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-      if (handle_ >= 0) replace_own_part(nullptr, path_.c_str());
-      if (handle_ < 0 && errno != EEXIST) break;
+      code = file_.create(path_, target);
     }
-    if (handle_ < 0) fail(target, errno);
-    flock(handle_, LOCK_EX | LOCK_NB);  // shows other programs that this file is in use
+    check(target, code);
+    replace_own_part(nullptr, path_.c_str());
   }
 
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
   ~File() {
-    if (handle_ >= 0) close(handle_);
+    (void)file_.close();
     if (path_.empty()) return;
-    unlink(path_.c_str());
+    std::error_code ignored;
+    fs::remove(path_, ignored);
     replace_own_part(path_.c_str(), nullptr);
   }
 
-  void write_all(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(handle_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail(target_, errno);
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
+  void write_all(std::string_view bytes) { check(target_, file_.write(bytes)); }
 
   void settle(Durability durability) {
-    struct stat existing {};
-    if (stat(target_.c_str(), &existing) == 0) {
-      keep_owner(existing);
-      if (fchmod(handle_, existing.st_mode & kept_mode) != 0) fail(target_, errno);
-    }
-    if (durability == Durability::power_cut && fsync(handle_) != 0) fail(target_, errno);
+    check(target_, file_.take_rights(target_));
+    if (durability == Durability::power_cut) check(target_, file_.flush_to_disk());
   }
 
   void become_target() {
-    const int closed = close(handle_);
-    handle_ = -1;
-    if (closed != 0) fail(target_, errno);
-    if (rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
+    check(target_, file_.close());
+    std::error_code code;
+    fs::rename(path_, target_, code);
+    check(target_, code);
     replace_own_part(path_.c_str(), nullptr);
     path_.clear();
   }
@@ -197,15 +151,8 @@ struct FilesTogether::File {
   fs::path folder() const { return target_.parent_path(); }
 
 private:
-  // Sets the owner and the group of the new file. If this is not allowed, sets only the group.
-  bool keep_owner(const struct stat& existing) {
-    return fchown(handle_, existing.st_uid, existing.st_gid) == 0 ||
-           fchown(handle_, static_cast<uid_t>(-1), existing.st_gid) == 0;
-  }
-
-  fs::path target_;
-  std::string path_;
-  int handle_ = -1;
+  fs::path target_, path_;
+  os::NewFile file_;
 };
 
 fs::path unused_name(const fs::path& path, const std::function<bool(const fs::path&)>& fits) {
@@ -221,13 +168,7 @@ fs::path unused_name(const fs::path& path, const std::function<bool(const fs::pa
 }
 
 void remove_parts_at_signals() {
-  struct sigaction action {};
-  struct sigaction before {};
-  action.sa_handler = end_by_signal;
-  action.sa_flags = SA_RESETHAND;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP})
-    if (sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)  // nohup ignores SIGHUP
-      sigaction(number, &action, nullptr);
+  os::at_end(remove_own_parts);
 }
 
 void remove_leftovers_beside(const fs::path& path) {
@@ -236,12 +177,11 @@ void remove_leftovers_beside(const fs::path& path) {
 
 void check_replaceable(const fs::path& path) {
   const fs::path target = checked_target(path);
-  struct stat existing {};
-  if (stat(target.c_str(), &existing) == 0 && existing.st_nlink != 1)
-    throw Error(path.string(),
-                "this file has " + std::to_string(existing.st_nlink) +
-                    " names (hard links), which replacing it would separate",
-                "choose another name, or remove this one first");
+  if (const auto names = os::count_names(target); names != 1)
+    throw Error(
+        path.string(),
+        "this file has " + std::to_string(names) + " names (hard links), which replacing it would separate",
+        "choose another name, or remove this one first");
   FilesTogether::File probe(target);  // makes a part file; the destructor removes it
 }
 
@@ -271,7 +211,7 @@ void FilesTogether::put(const fs::path& path, const std::function<void(const Byt
 void FilesTogether::replace() {
   for (const auto& file : files_) file->become_target();
   for (const auto& file : files_) {
-    if (durability_ == Durability::power_cut) sync_folder(file->folder());
+    if (durability_ == Durability::power_cut) os::sync_folder(file->folder());
   }
   files_.clear();
 }

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <limits>
+
+#include "base/os.h"
 
 namespace viete::base {
 
@@ -23,9 +24,7 @@ inline double seconds_until(double moment) {
 
 /// Returns the calling thread's processor time in seconds. On a busy computer, it varies less than wall time.
 inline double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  return os::thread_seconds();
 }
 
 /// Measures wall time in milliseconds since its construction or the last lap_ms().

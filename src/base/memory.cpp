@@ -1,17 +1,8 @@
 #include "base/memory.h"
 
-#include <cstdlib>
-#include <fstream>
-
 #include "base/error.h"
+#include "base/os.h"
 #include "base/text.h"
-
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 namespace viete::base {
 
@@ -25,40 +16,26 @@ constexpr std::size_t large_page = std::size_t{2} << 20;
 void* allocate_aligned(std::size_t bytes) {
   const std::size_t alignment = bytes >= large_page ? large_page : line;
   const std::size_t size = (bytes + line - 1) / line * line;
-  void* memory = nullptr;
-  if (size < bytes || posix_memalign(&memory, alignment, size) != 0) throw std::bad_alloc();
-#if defined(__linux__)
-  if (alignment == large_page) madvise(memory, size, MADV_HUGEPAGE);  // a failure only costs speed
-#endif
+  void* const memory = size < bytes ? nullptr : os::allocate_aligned(alignment, size);
+  if (!memory) throw std::bad_alloc();
+  if (alignment == large_page) os::use_large_pages(memory, size);
   return memory;
 }
 
 void free_aligned(void* memory) {
-  std::free(memory);
+  os::free_aligned(memory);
 }
 
 void release_freed_memory() {
-#if defined(__GLIBC__)
-  malloc_trim(0);
-#endif
+  os::release_freed_memory();
 }
 
 void keep_freed_memory() {
-#if defined(__GLIBC__)
-  mallopt(M_MMAP_MAX, 0);         // no array is a mapping of its own, which would end with the array
-  mallopt(M_TRIM_THRESHOLD, -1);  // the heap does not shrink
-#endif
+  os::keep_freed_memory();
 }
 
 std::optional<double> free_memory() {
-  std::ifstream in("/proc/meminfo");
-  std::string key, unit;
-  double kilobytes = 0;
-  while (in >> key >> kilobytes) {
-    if (key == "MemAvailable:") return kilobytes * 1024;
-    std::getline(in, unit);
-  }
-  return std::nullopt;
+  return os::free_memory();
 }
 
 void refuse_memory(const MemoryNeed& need) {

@@ -1,10 +1,12 @@
 // Other processes: their unique names, protection from fork(), and child programs.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/os.h"
 
 namespace viete::base {
 
@@ -26,7 +28,8 @@ public:
 };
 
 /// A child process. Its standard input is empty. Its standard output is discarded, and its standard error is
-/// kept. Ctrl+C in a terminal does not end the child. Not thread-safe.
+/// kept. Ctrl+C in a terminal does not end the child. The destructor kills the program and its children. Not
+/// thread-safe.
 class ChildProgram {
 public:
   /// Searches PATH for the program words[0] and starts it, with the other words as arguments. Adds
@@ -34,24 +37,18 @@ public:
   /// Error, usually with `advice`.
   ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                const std::vector<std::string>& variables = {});
-  /// Kills the program and its children.
-  ~ChildProgram();
-  ChildProgram(const ChildProgram&) = delete;
-  ChildProgram& operator=(const ChildProgram&) = delete;
 
   /// The first 4 KB of the program's standard error.
   std::string said() const;
-  bool running();
-  /// Sends SIGTERM to the program.
-  void stop();
+  bool running() { return child_->running(); }
+  /// Asks the program to end (SIGTERM).
+  void stop() { child_->ask_to_end(); }
   /// Waits until the program ends. If the program failed, throws Error with its standard error.
   void finish();
 
 private:
-  [[noreturn]] void fail();
   std::string name_;
-  int process_ = 0, errors_ = -1;
-  std::optional<int> status_;  // set after the program has ended
+  std::unique_ptr<os::Child> child_;
 };
 
 }  // namespace viete::base

@@ -1,17 +1,17 @@
 #include "base/worker_pool.h"
 
-#include <unistd.h>
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
 
 #include "base/clock.h"
+#include "base/os.h"
 
 namespace viete::base {
 
 struct WorkerPool::State {
-  const pid_t process = getpid();
+  const unsigned long process = os::process_id();
   std::vector<std::jthread> threads;  // threads[i] has the number i + 1; the caller has the number 0
   std::mutex mutex;
   std::condition_variable wake, finished;
@@ -85,7 +85,7 @@ WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
 }
 
 WorkerPool::~WorkerPool() {
-  if (state_->process != getpid()) {  // in a child process after fork(), these threads do not exist
+  if (state_->process != os::process_id()) {  // in a child process after fork(), these threads do not exist
     for (auto& thread : state_->threads) thread.detach();
     static_cast<void>(state_.release());
     return;
@@ -111,7 +111,7 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
   State& s = *state_;
   block = std::max<std::size_t>(1, block);
   const double begun = wall_seconds();
-  if (s.process != getpid()) {
+  if (s.process != os::process_id()) {
     for (std::size_t begin = 0; begin < count; begin += block) body(begin, std::min(count, begin + block));
     return;
   }

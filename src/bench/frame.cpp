@@ -404,7 +404,8 @@ nlohmann::json to_json(std::span<const FrameTime> times) {
 }
 
 void bench_frame(const ModelOptions& options) {
-  std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
+  std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(),
+              base::os::processor_name().c_str());
   base::Progress progress;
   const std::vector<FrameTime> all = measure_frames(options, progress);
   for (std::span<const FrameTime> rest = all; !rest.empty();) {

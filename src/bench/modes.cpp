@@ -570,7 +570,7 @@ void bench_modes(const ModelOptions& options, ModeSettings settings) {
   std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
               base::with_thousands(model.positions.size()).c_str(), opened.cage()->surface.triangles.size(),
               std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
-              processor_name().c_str(), modes_legend);
+              base::os::processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
   base::Progress progress;
   settings.rounds = options.rounds;

@@ -1,7 +1,5 @@
 #include "bench/page.h"
 
-#include <sys/utsname.h>
-#include <unistd.h>
 #include <algorithm>
 #include <ctime>
 #include <thread>
@@ -47,17 +45,10 @@ namespace {
 
 std::string date_now() {
   const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
+  const std::tm utc = base::os::universal_time(now);
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &utc);
   return text;
-}
-
-std::string system_name() {
-  utsname names{};
-  if (uname(&names) != 0) return "";
-  return std::string(names.sysname) + " " + names.release + ", " + names.machine;
 }
 
 // The colours of the plots and the colours that replace them in the dark theme.
@@ -117,17 +108,15 @@ std::string footer(const Made& made, const nlohmann::json& json) {
 }  // namespace
 
 Made made_here(const std::string& command, double seconds) {
-  const double bytes =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  std::string processor = processor_name();
+  std::string processor = base::os::processor_name();
   if (processor.empty()) processor = "an unnamed processor";
   processor += ", " + base::counted(std::thread::hardware_concurrency(), "thread");
   const std::string date = date_now();
   return {date,
           processor,
           {{"Computer", processor},
-           {"Memory", base::memory_size(bytes)},
-           {"System", system_name()},
+           {"Memory", base::memory_size(base::os::total_memory().value_or(0))},
+           {"System", base::os::system_name()},
            {"Program", std::string("viete ") + app::version() + ", " + app::build_type()},
            {"Kernel of the vector code", std::string(sym3::kernel_name())},
            {"Measured", date + ", in " + base::few_digits(seconds) + " s"},

@@ -99,13 +99,6 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
   base::replace_file(path, json.dump(2) + '\n');
 }
 
-std::string processor_name() {
-  std::ifstream lines("/proc/cpuinfo");
-  for (std::string line; std::getline(lines, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
-  return "";
-}
-
 void Bars::check(const std::string& what, double measured, double bar, bool at_least) {
   const bool met = at_least ? measured >= bar : measured <= bar;
   const char* format =

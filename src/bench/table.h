@@ -56,9 +56,6 @@ nlohmann::json to_json(const std::vector<BenchResult>& results);
 /// Writes the file atomically. If the path is empty, does nothing. Throws base::Error.
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);
 
-/// Returns a name like "AMD EPYC 9654", or "" if the system does not report the name.
-std::string processor_name();
-
 /// The limits that one run has checked.
 struct Bars {
   nlohmann::json rows = nlohmann::json::array();

@@ -1,17 +1,14 @@
 #include "document/files_in_use.h"
 
-#include <sys/stat.h>
-
 namespace viete::document {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the device and the inode or, if the file does not exist, the absolute path.
+// Returns the file's identity or, if the file does not exist, the absolute path.
 FileIdentity identity(const fs::path& file) {
-  struct stat status {};
-  if (stat(file.c_str(), &status) == 0) return std::pair(status.st_dev, status.st_ino);
+  if (const auto id = base::os::file_id(file)) return *id;
   std::error_code code;
   const fs::path absolute = fs::absolute(file, code);
   const fs::path plain = fs::weakly_canonical(absolute, code);

@@ -1,15 +1,14 @@
-// The files that a command or a document uses. A file is recognized by its inode, under any of its names.
+// The files that a command or a document uses. A file is recognized under any of its names.
 #pragma once
-
-#include <sys/types.h>
 
 #include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
+
+#include "base/os.h"
 
 namespace viete::document {
 
@@ -18,7 +17,7 @@ struct FileInUse {
   std::string_view what;  ///< a string with static lifetime, such as "the model"
 };
 
-using FileIdentity = std::variant<std::pair<dev_t, ino_t>, std::filesystem::path>;
+using FileIdentity = std::variant<base::os::FileId, std::filesystem::path>;
 
 class FilesInUse {
 public:

@@ -1,9 +1,9 @@
 #include "files/recovery.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
+#include <chrono>
 
+#include "base/os.h"
 #include "base/process.h"
 #include "files/session.h"
 
@@ -86,8 +86,11 @@ fs::path mark_restored(const fs::path& file) {
 RecoveryFile describe_recovery_file(const fs::path& file) {
   RecoveryFile found{file, file.filename().string()};
   found.restored = file.stem().string().ends_with(restored_ending);
-  struct stat status {};
-  if (stat(file.c_str(), &status) == 0) found.time = status.st_mtime;
+  std::error_code missing;
+  const fs::file_time_type time = fs::last_write_time(file, missing);
+  if (!missing)
+    found.time = std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(
+        std::chrono::time_point_cast<std::chrono::system_clock::duration>(time)));
   try {
     const Session session = read_session(file);
     const fs::path& of = session.origin.empty() ? session.model.path : session.origin;
@@ -122,8 +125,7 @@ std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
 }
 
 std::string when(std::time_t time) {
-  std::tm parts{};
-  localtime_r(&time, &parts);
+  const std::tm parts = base::os::local_time(time);
   char text[64];
   return {text, std::strftime(text, sizeof text, "%b %d, %H:%M", &parts)};
 }

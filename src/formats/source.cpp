@@ -1,18 +1,14 @@
 #include "formats/source.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "base/error.h"
+#include "base/os.h"
 #include "base/worker_pool.h"
 
 namespace viete::formats {
@@ -21,9 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
+base::os::InputFile open(const fs::path& path) {
+  try {
+    return base::os::InputFile(path);
+  } catch (const std::system_error& error) {
+    throw base::Error(path.string(), "cannot be opened: " + error.code().message());
+  }
+}
 
 std::unique_ptr<char[]> allocate(const fs::path& path, std::size_t size) {
   try {
@@ -162,17 +162,14 @@ FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t
   if (size > most)
     throw base::Error(path.string(), "has more than " + std::to_string(most >> 20) + " MB",
                       "check that it is the right file");
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw base::Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
+  const base::os::InputFile file = open(path);
   bytes_ = allocate(path, size);
   constexpr std::size_t step = 64 << 20, block = 1 << 20;
   std::atomic<bool> complete = true;
   for (; size_ < size; size_ = std::min(size, size_ + step)) {
     if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));
     const auto read = [&](std::size_t begin, std::size_t end) {
-      const auto got = pread(fileno(file.get()), bytes_.get() + size_ + begin, end - begin,
-                             static_cast<off_t>(size_ + begin));
-      if (got != static_cast<ssize_t>(end - begin)) complete = false;
+      if (!file.read(size_ + begin, bytes_.get() + size_ + begin, end - begin)) complete = false;
     };
     base::for_blocks(std::min(step, size - size_), read, block);
   }

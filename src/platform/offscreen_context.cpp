@@ -4,16 +4,15 @@
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <dlfcn.h>
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <initializer_list>
 #include <string>
 #include <thread>
 
 #include "base/error.h"
+#include "base/os.h"
 #include "base/worker_pool.h"
 
 namespace viete::platform {
@@ -22,32 +21,19 @@ namespace {
 
 using base::Error;
 
-/// A library that stays loaded until the process ends, because drivers crash when they are unloaded.
-/// RTLD_LOCAL hides its GL functions from other libraries.
-class Library {
+// A function of a library, for conversion to its type.
+struct Function {
+  void* address;
+  template <class Pointer>
+  operator Pointer() const {
+    return reinterpret_cast<Pointer>(address);
+  }
+};
+
+class Library : public base::os::Library {
 public:
-  Library(std::initializer_list<const char*> names) {
-    for (const char* name : names) {
-      if (handle_ == nullptr) handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-    }
-    if (handle_ == nullptr) throw Error(*names.begin(), "the library is not installed");
-  }
-
-  struct Function {
-    void* address;
-    template <class Pointer>
-    operator Pointer() const {
-      return reinterpret_cast<Pointer>(address);
-    }
-  };
-  Function find(const char* name) const {
-    void* const address = dlsym(handle_, name);
-    if (address == nullptr) throw Error(name, "the function is missing in the library");
-    return {address};
-  }
-
-private:
-  void* handle_ = nullptr;
+  using base::os::Library::Library;
+  Function find(const char* name) const { return {base::os::Library::find(name)}; }
 };
 
 // Functions of GL/osmesa.h. They are declared here so that the build does not need this header.
@@ -125,7 +111,7 @@ private:
     std::array<EGLDeviceEXT, 64> devices{};
     EGLint count = 0;
     for (const char* software : {"1", "0"}) {
-      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // Mesa reads this variable during open()
+      base::os::set_variable("LIBGL_ALWAYS_SOFTWARE", software);  // Mesa reads this variable during open()
       if (open(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY)) return;
       if (query) query(static_cast<EGLint>(devices.size()), devices.data(), &count);
       for (EGLint i = 0; i < count; ++i)
@@ -172,7 +158,8 @@ std::unique_ptr<OffscreenContext> attempt(std::string& tried, Make make) {
 void spare_rasteriser_threads() {
   constexpr int other_threads = 2;  // threads of the driver, in addition to one for each processor
   const int wanted = static_cast<int>(std::thread::hardware_concurrency()) + other_threads;
-  if (base::WorkerPool(wanted).threads() < wanted) setenv("LP_NUM_THREADS", "0", 0);
+  if (base::WorkerPool(wanted).threads() < wanted && base::os::variable("LP_NUM_THREADS").empty())
+    base::os::set_variable("LP_NUM_THREADS", "0");
 }
 
 std::unique_ptr<OffscreenContext> OffscreenContext::create(Kind kind) {

@@ -3,16 +3,12 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
-#include <thread>
 #include <utility>
 
-#include "base/worker_pool.h"
+#include "base/os.h"
 #include "platform/offscreen_context.h"
 
 namespace viete::platform {
@@ -34,59 +30,6 @@ int labelled(int key, int scancode) {
   const bool letter = name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0;
   return letter ? name[0] - 'a' + GLFW_KEY_A : key;
 }
-
-// True if an environment variable names a display. If not, GLFW must not be initialised: the Wayland library
-// could print an error, or open a window on any display that it finds in the runtime folder.
-bool display_is_named() {
-  const auto given = [](const char* variable) {
-    const char* value = std::getenv(variable);
-    return value && *value;
-  };
-  return given("DISPLAY") || given("WAYLAND_DISPLAY") || given("WAYLAND_SOCKET");
-}
-
-volatile std::sig_atomic_t end_signal = 0;
-int end_pipe[2] = {-1, -1};  // the handler writes a byte; EndSignals reads it
-
-// The first signal acts as the close button. A second signal before the window reacts ends the program.
-void take_end_signal(int number) {
-  if (end_signal) {
-    std::signal(number, SIG_DFL);
-    std::raise(number);
-  }
-  end_signal = 1;
-  (void)!write(end_pipe[1], "s", 1);
-}
-
-}  // namespace
-
-// Signals cannot end GLFW's wait for events, so a thread waits for the handler's byte and wakes the window.
-class EndSignals {
-public:
-  EndSignals() {
-    if (pipe(end_pipe) != 0) return;
-    thread_ = base::try_thread([] {
-      for (char byte = 's'; byte == 's' && read(end_pipe[0], &byte, 1) == 1;) Window::wake();
-    });
-    // If a signal is already ignored, as with nohup, the signal stays ignored.
-    for (const int number : {SIGTERM, SIGINT, SIGHUP})
-      if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
-  }
-  ~EndSignals() {
-    for (const int number : {SIGTERM, SIGINT, SIGHUP})
-      if (std::signal(number, SIG_DFL) == SIG_IGN) std::signal(number, SIG_IGN);
-    (void)!write(end_pipe[1], "e", 1);
-    if (thread_.joinable()) thread_.join();
-    for (int& end : end_pipe) close(std::exchange(end, -1));
-  }
-  EndSignals(const EndSignals&) = delete;
-  EndSignals& operator=(const EndSignals&) = delete;
-
-private:
-  std::jthread thread_;
-};
-
-namespace {
 
 GLFWwindow* open_window(glm::ivec2 size) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -176,7 +119,9 @@ Window& of(GLFWwindow* window) {
 }  // namespace
 
 std::unique_ptr<Window> Window::open(glm::ivec2 size, float scale, std::string& reason) {
-  if (!display_is_named()) {
+  // Without a named display, the Wayland library could print an error, or open a window on any display that
+  // it finds in the runtime folder.
+  if (!base::os::has_display()) {
     reason = "there is no display: DISPLAY and WAYLAND_DISPLAY are not set";
     return nullptr;
   }
@@ -201,7 +146,7 @@ Window::Window(GLFWwindow* handle, float scale) : handle_(handle), scale_(scale)
 }
 
 Window::~Window() {
-  end_signals_.reset();
+  end_requests_.reset();
   glfwDestroyWindow(handle_);
   glfwTerminate();
 }
@@ -258,7 +203,10 @@ void Window::listen(WindowEvents events) {
   });
   glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* w) { of(w).events_.exposed(); });
   glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* w, int, int) { of(w).events_.exposed(); });
-  end_signals_ = std::make_unique<EndSignals>();
+  end_requests_ = std::make_unique<base::os::EndRequests>([this] {
+    if (asked_to_end_.exchange(true)) end_requests_->end_process();
+    wake();
+  });
 }
 
 void Window::share_clipboard() {
@@ -288,9 +236,8 @@ void Window::wake() {
 }
 
 bool Window::asked_to_close() {
-  const bool asked = glfwWindowShouldClose(handle_) || end_signal;
+  const bool asked = asked_to_end_.exchange(false) || glfwWindowShouldClose(handle_);
   glfwSetWindowShouldClose(handle_, GLFW_FALSE);
-  end_signal = 0;
   return asked;
 }
 

@@ -1,6 +1,7 @@
 // A GLFW window with an OpenGL context. The window receives events and shows pictures.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/os.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
 #include "render/gl.h"
@@ -16,8 +18,6 @@
 struct GLFWwindow;
 
 namespace viete::platform {
-
-class EndSignals;
 
 /// The functions that wait_for_events() calls.
 struct WindowEvents {
@@ -71,7 +71,8 @@ private:
   float scale_;
   std::unique_ptr<render::Gl> gl_;
   WindowEvents events_;
-  std::unique_ptr<EndSignals> end_signals_;
+  std::atomic<bool> asked_to_end_ = false;  ///< by a signal; a second one before it is taken ends the program
+  std::unique_ptr<base::os::EndRequests> end_requests_;
   std::string title_;
   struct Place {
     glm::ivec2 corner, size;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
-#include <unistd.h>
 
 #include <memory>
 #include <mutex>
@@ -48,8 +47,8 @@ public:
   explicit Guarded(T&& made) : object(std::move(made)) {}
   template <class Act>
   auto with(const Act& act) {
-    if (process_ != getpid()) {  // after fork(), another thread may have left the mutex locked
-      process_ = getpid();
+    if (process_ != base::os::process_id()) {  // after fork(), another thread may have left the mutex locked
+      process_ = base::os::process_id();
       static_cast<void>(mutex_.release());
       mutex_ = std::make_unique<std::mutex>();
     }
@@ -60,7 +59,7 @@ public:
   }
 
 private:
-  pid_t process_ = getpid();
+  unsigned long process_ = base::os::process_id();
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
 };
 

@@ -184,8 +184,9 @@ bool filters_by_path(const FileBrowser& browser) {
 }
 
 fs::path typed_path(const FileBrowser& browser) {
-  const char* home = std::getenv("HOME");
-  if (home && (browser.path == "~" || browser.path.starts_with("~/"))) return home + browser.path.substr(1);
+  const fs::path home = base::os::home_folder();
+  if (!home.empty() && (browser.path == "~" || browser.path.starts_with("~/")))
+    return (home / browser.path.substr(std::min<std::size_t>(2, browser.path.size()))).lexically_normal();
   return browser.folder / browser.path;
 }
 
