@@ -33,9 +33,10 @@ constexpr const char* footer =
     "The manual explains all terms: viete manual glossary";
 
 void note_kernel() {
-  const char* kernel = std::getenv("VIETE_KERNEL");
-  if (kernel && sym3::kernel_name() != kernel) {
-    std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is not available on this machine; using %s\n", kernel,
+  const std::string kernel = base::os::variable("VIETE_KERNEL");
+  if (!kernel.empty() && sym3::kernel_name() != kernel) {
+    std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is not available on this machine; using %s\n",
+                 kernel.c_str(),
                  std::string(sym3::kernel_name()).c_str());
   }
 }

@@ -90,7 +90,7 @@ void add_force_option(CLI::App& app, bool& force) {
 
 files::Force force_of(bool given) {
   if (given) return files::Force::given;
-  return std::getenv("VIETE_PROGRESS") ? files::Force::none : files::Force::offered;
+  return base::os::variable("VIETE_PROGRESS").empty() ? files::Force::offered : files::Force::none;
 }
 
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take) {

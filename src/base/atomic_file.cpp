@@ -77,6 +77,8 @@ void remove_own_parts() {
 // Returns the path of the file to write. Throws Error for a folder, a device or a write-protected file.
 fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
+  if (os::is_device_name(target))
+    throw Error(path.string(), "Windows keeps this name for a device", "choose another name");
   std::error_code code;
   const fs::file_status status = fs::status(target, code);
   if (status.type() == fs::file_type::directory)

@@ -133,7 +133,9 @@ void at_end(void (*clean_up)());
 void remove_at_end(const fs::path::value_type* file);
 
 /// While an EndRequests exists, requests to end this process call `act` in a thread of their own; they do not
-/// end the process. If this thread cannot be created, they end it. One object at a time.
+/// end the process. An ignored SIGHUP (nohup) stays ignored; other ignored signals count, because shells
+/// ignore SIGINT in the background. If this thread cannot be created, requests end the process. One object at
+/// a time.
 class EndRequests {
 public:
   explicit EndRequests(std::function<void()> act);
@@ -158,6 +160,8 @@ std::optional<FileId> file_id(const fs::path& file);
 std::uintmax_t count_names(const fs::path& file);
 /// True if the user cannot write this existing file, or it is marked as write-protected.
 bool is_write_protected(const fs::path& file);
+/// True for names such as "con.obj", which Windows takes for devices in every folder.
+bool is_device_name(const fs::path& file);
 /// Removes a file of this user that no NewFile holds.
 void remove_unless_held(const fs::path& file);
 /// True if the error means a full disk or a user's full quota.

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -343,20 +344,22 @@ std::string replace_process(const std::vector<std::string>& words) {
 
 namespace {
 
-constexpr std::array end_signals{SIGINT, SIGTERM, SIGHUP};
+constexpr auto end_signals = {SIGINT, SIGTERM, SIGHUP};
 
 using Actions = std::array<struct sigaction, end_signals.size()>;
 
-// Sets the handler of all signals that end the process, except ignored ones (nohup ignores SIGHUP). Returns
-// the actions before.
-Actions set_end_handler(void (*handler)(int), int flags) {
+// Sets the handler of the signals that end the process, except those in `kept` that are ignored. Returns the
+// actions before.
+Actions set_end_handler(void (*handler)(int), int flags, std::initializer_list<int> kept) {
   Actions before{};
   struct sigaction action {};
   action.sa_handler = handler;
   action.sa_flags = flags;
-  for (std::size_t i = 0; i < end_signals.size(); ++i)
-    if (sigaction(end_signals[i], nullptr, &before[i]) == 0 && before[i].sa_handler != SIG_IGN)
-      sigaction(end_signals[i], &action, nullptr);
+  for (std::size_t i = 0; i < end_signals.size(); ++i) {
+    sigaction(end_signals.begin()[i], nullptr, &before[i]);
+    const bool keeps = std::ranges::find(kept, end_signals.begin()[i]) != kept.end();
+    if (!keeps || before[i].sa_handler != SIG_IGN) sigaction(end_signals.begin()[i], &action, nullptr);
+  }
   return before;
 }
 
@@ -379,7 +382,7 @@ void report_signal(int) {
 
 void at_end(void (*clean_up)()) {
   clean_up_at_end = clean_up;
-  set_end_handler(end_by_signal, static_cast<int>(SA_RESETHAND));
+  set_end_handler(end_by_signal, static_cast<int>(SA_RESETHAND), end_signals);
 }
 
 void remove_at_end(const fs::path::value_type* file) {
@@ -391,7 +394,8 @@ struct EndRequests::State {
   std::jthread thread;
 
   void restore() {
-    for (std::size_t i = 0; i < end_signals.size(); ++i) sigaction(end_signals[i], &before[i], nullptr);
+    for (std::size_t i = 0; i < end_signals.size(); ++i)
+      sigaction(end_signals.begin()[i], &before[i], nullptr);
   }
 };
 
@@ -403,8 +407,8 @@ EndRequests::EndRequests(std::function<void()> act) : state_(std::make_unique<St
       for (char byte = 's'; byte == 's' && read(end_pipe[0], &byte, 1) == 1;)
         if (byte == 's') act();
     });
-    state_->before = set_end_handler(report_signal, SA_RESTART);
-  } catch (const std::system_error&) {  // no thread can be created
+    state_->before = set_end_handler(report_signal, SA_RESTART, {SIGHUP});  // nohup ignores it
+  } catch (const std::system_error&) {                                      // no thread can be created
   }
 }
 
@@ -441,6 +445,10 @@ bool is_write_protected(const fs::path& file) {
   struct stat status {};
   return stat(file.c_str(), &status) == 0 &&
          ((status.st_mode & S_IWUSR) == 0 || access(file.c_str(), W_OK) != 0);
+}
+
+bool is_device_name(const fs::path&) {
+  return false;
 }
 
 void remove_unless_held(const fs::path& file) {

@@ -135,6 +135,8 @@ const Signature* signature_of(std::string_view bytes) {
 
 std::size_t regular_file_size(const fs::path& path) {
   if (path.empty()) throw base::Error("file name", "is empty", "choose a file");
+  if (base::os::is_device_name(path))
+    throw base::Error(path.string(), "Windows keeps this name for a device", "rename the file");
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
   if (status.type() == fs::file_type::not_found)

@@ -66,6 +66,21 @@ TEST_CASE("no_file_in_src_names_what_its_room_may_not_know") {
   });
 }
 
+TEST_CASE("only_base_os_knows_the_operating_system") {
+  for_sources([&](const std::string&, const std::string& path, const std::string& text) {
+    if (path.starts_with("base/os_")) return;
+    for (const auto& include : includes_of(text))
+      CHECK_MESSAGE(!viete::rules::is_of_system(include), path, ": ", include);
+    for (const char* name : {"_WIN32", "__linux__", "__APPLE__", "/proc/", "getenv("})
+      CHECK_MESSAGE((text.find(name) == text.npos || path.starts_with("sym3/")), path, ": ", name);
+  });
+  CHECK(viete::rules::is_of_system("unistd.h"));
+  CHECK(viete::rules::is_of_system("sys/stat.h"));
+  CHECK(viete::rules::is_of_system("windows.h"));
+  CHECK_FALSE(viete::rules::is_of_system("vector"));
+  CHECK_FALSE(viete::rules::is_of_system("base/os.h"));
+}
+
 TEST_CASE("no_sources_include_each_other_in_a_circle") {
   std::map<std::string, std::set<std::string>> includes;
   for_sources([&](const std::string&, const std::string& path, const std::string& text) {

@@ -75,6 +75,14 @@ inline std::optional<std::string> room_of(const std::string& path) {
   return rooms().count(folder) ? std::optional(folder) : std::nullopt;
 }
 
+/// True for headers of POSIX and Windows, and for <csignal>.
+inline bool is_of_system(const std::string& include) {
+  static const std::set<std::string> names{
+      "aclapi.h", "csignal", "dirent.h", "dlfcn.h", "fcntl.h",  "io.h",       "malloc.h", "pthread.h",
+      "pwd.h",    "sched.h", "signal.h", "spawn.h", "unistd.h", "shellapi.h", "shlobj.h", "termios.h"};
+  return include.starts_with("sys/") || include.starts_with("win") || names.count(include) > 0;
+}
+
 /// Returns a cycle of files that include each other, or an empty list. `includes` lists for each file the
 /// files that it includes. Paths have no extensions, so that a header and its source count as one file.
 inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<std::string>>& includes) {
