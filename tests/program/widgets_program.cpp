@@ -402,6 +402,10 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   CHECK_FALSE(times.measured);
   d.button(0, false);
   CHECK(d.until([&] { return times.measured; }));
+
+  d.run("deformer_mean_value");  // without exponentials: only the fused engine is timed
+  CHECK(d.until(
+      [&] { return times.measured && times.stages[fused].total() > 0 && times.stages[0].total() == 0; }));
 }
 
 TEST_CASE("the_first_start_asks_once_for_the_keymap") {
