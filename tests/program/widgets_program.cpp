@@ -188,8 +188,11 @@ TEST_CASE("a_tooltip_does_not_cover_its_widget") {
   Held d;
   for (const char* section : {"Analysis", "Views", "Model"})
     d.workspace().preferences.layout.sections[section] = true;
-  d.frame(2);
-  for (const char* widget : {"views_4", "save_model"}) {
+  std::string words;
+  for (int i = 0; i < 60; ++i) words += "several lines ";
+  d.workspace().messages.warn(words);
+  d.frame(4);
+  for (const char* widget : {"views_4", "toast/0"}) {
     d.move(d.place_of(widget));
     d.frame(4);
     REQUIRE_MESSAGE(has_tooltip(), widget);
