@@ -203,9 +203,10 @@ float legend(const Context& ui, ImVec2 corner, const workspace::FieldView& shown
 
 namespace {
 
-// True if a legend covers only a corner of a view.
+// True if a legend fits beside the tools and covers only the lowest part of a view.
 bool fits(const Size& size, const glm::vec2& room) {
-  return room.x >= 1.5f * size.width && room.y >= 3 * size.height;
+  constexpr float gap = 24;
+  return room.x >= size.width + gap && room.y >= 3 * size.height;
 }
 
 }  // namespace
@@ -221,10 +222,10 @@ float map_legend(const Context& ui, float bottom) {
     if (field == analysis::Field::none) continue;
     const workspace::Pane pane = workspace::pane_of(split, view);
     const glm::vec2 corner = w.view.viewport.origin + (pane.at + pane.size) * w.view.viewport.size;
-    const glm::vec2 room = pane.size * w.view.viewport.size;
-    constexpr float tools = 60, gap = 24;
-    const float beside_tools = room.x - (pane.at.x == 0 && w.view.options.panels ? tools : 0);
-    if (beside_tools < tiny.width + gap || room.y < 3 * tiny.height) continue;
+    constexpr float tools = 60;
+    const float beside = pane.at.x == 0 && w.view.options.panels ? tools : 0;
+    const glm::vec2 room = pane.size * w.view.viewport.size - glm::vec2(beside, 0);
+    if (!fits(tiny, room)) continue;
     const Size& size = !split.on() && fits(whole, room) ? whole : fits(small, room) ? small : tiny;
     const float height = legend(ui, vec(corner), split.views[view].shown, field,
                                 workspace::view_settings(w, view).method, size);
