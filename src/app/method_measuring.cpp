@@ -78,6 +78,7 @@ bool MethodMeasuring::follow(workspace::Workspace& w, LiveModel& model, bool mov
   if (sampling_in(w, model) <= 0) news |= start_sampling(w, model);
   if (moves || is_in_motion(w)) {
     rests_since_ = base::wall_seconds();
+    if (w.frame.method_times.busy) retry_ = {.at = rests_since_};  // the computer may be quiet afterwards
     if (timer_.running()) {
       timer_.cancel();
       timed_ = 0;
@@ -143,7 +144,9 @@ bool MethodMeasuring::start_sampling(workspace::Workspace& w, const LiveModel& m
 }
 
 double MethodMeasuring::timing_in(const workspace::Workspace& w, const LiveModel& model) const {
-  if (!wanted_ || !model.takes_exponentials() || timer_.running() || is_in_motion(w)) return base::never;
+  const bool fused = w.document.has_cage() && engine_ == pose::EngineKind::fused;
+  if (!wanted_ || !model.ran() || timer_.running() || is_in_motion(w)) return base::never;
+  if (!fused && !model.takes_exponentials()) return base::never;
   const double rested = rests_since_ + pose_rest_seconds;
   return base::seconds_until(timed_ != model.frames() ? rested : std::max(rested, retry_.at));
 }
@@ -190,7 +193,8 @@ void MethodMeasuring::finish(workspace::Workspace& w, LiveModel& model) {
 }
 
 MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
-  if (lacks_small_weights(timed))
+  const bool compares = timed.deformer.exponential();  // otherwise all methods have the same time
+  if (compares && lacks_small_weights(timed))
     timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.deformer, sym3::Method::diag,
                             timed.bound, progress);
   base::WorkerPool pool;
@@ -207,6 +211,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       progress.report(0);
       const bool fused = i == workspace::MethodTimes::fused;
+      if (!fused && !compares) continue;
       const sym3::Method method = fused ? sym3::Method::fast : compared_methods[i];
       deformer.set_all_staged(!fused);
       const auto engine = deformer.engine(method);

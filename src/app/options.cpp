@@ -176,7 +176,7 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
              throw CLI::ValidationError("--size", "needs at most 268 million pixels, not " + text);
            size = {w, h};
          },
-         "Picture size, 16 to 32768 pixels")
+         "Picture size in logical pixels, 16 to 32768; the file has --scale times as many")
       ->option_text("WIDTHxHEIGHT")
       ->default_str("1280x800");
 }

@@ -267,7 +267,10 @@ std::string binding_plan(const Document& document, const pose::Weighting& weight
   const std::size_t vertices = document.model().surface->positions.size();
   const std::size_t handles = pose::handle_count(*document.cage(), weighting.elements);
   const std::size_t bytes = weights::binding_bytes(vertices, handles, pose::EngineKind::fused, weighting);
-  return "Binding " + base::with_thousands(vertices) + " vertices to " + base::with_thousands(handles) + ' ' +
+  // A face with four or more corners has more handles than triangles. The panel Cage counts triangles.
+  const std::size_t triangles = document.cage()->surface.triangles.size();
+  const std::size_t shown = weighting.elements == pose::Elements::face ? triangles : handles;
+  return "Binding " + base::with_thousands(vertices) + " vertices to " + base::with_thousands(shown) + ' ' +
          std::string(pose::name(weighting.elements)) + ", " + base::memory_size(static_cast<double>(bytes));
 }
 

@@ -209,7 +209,7 @@ mesh::Point probe_center(const Document& document, std::size_t probe);
 std::vector<mesh::Point> probe_centers(const Document& document);
 mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 
-/// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.
+/// Returns a message like "Binding 50,000 vertices to 148 triangles, 72 MB". Requires a cage.
 std::string binding_plan(const Document& document, const pose::Weighting& weighting);
 
 /// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing). For

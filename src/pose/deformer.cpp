@@ -34,7 +34,7 @@ constexpr base::Choice blend_table[] = {
 }  // namespace
 
 std::string_view name(Elements elements) {
-  return elements == Elements::face ? "faces" : "vertices";
+  return elements == Elements::face ? "triangles" : "vertices";
 }
 
 std::span<const base::Choice> choices(Weights) {

@@ -74,9 +74,25 @@ void choose(workspace::Workspace& w, const std::filesystem::path& path) {
   w.preferences.folder = path.parent_path();
 }
 
+// Opens the path in the filter. If that is impossible, keeps the path row and sets Browser::filter_problem.
+void choose_filtered(workspace::Workspace& w) {
+  Browser& browser = w.files.browser;
+  const std::string path = std::exchange(browser.path, browser.filter);
+  const std::filesystem::path typed = workspace::typed_path(browser);
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(typed, ignored);
+  browser.filter_problem = is_folder ? "" : workspace::problem_of_name(browser);
+  if (!browser.filter_problem.empty()) {
+    browser.path = path;
+    return;
+  }
+  browser.filter.clear();
+  choose(w, is_folder ? typed : workspace::chosen_file(browser));
+}
+
 void choose_typed(workspace::Workspace& w) {
   auto& browser = w.files.browser;
-  if (workspace::filters_by_path(browser)) browser.path = std::exchange(browser.filter, "");
+  if (workspace::filters_by_path(browser)) return choose_filtered(w);
   const std::filesystem::path typed = workspace::typed_path(browser);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) return choose(w, typed);
@@ -150,6 +166,7 @@ void format_buttons(const Context& ui, const std::vector<std::string_view>& form
 void set_filter(Browser& browser, const std::string& filter) {
   if (filter == browser.filter) return;
   browser.filter = filter;
+  browser.filter_problem.clear();
   browser.highlighted = browser.saves() && filter.empty() ? Browser::none : 0;
   if (!browser.saves()) browser.path = browser.folder.string();
 }
@@ -189,6 +206,11 @@ bool filter_row(const Context& ui) {
 std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
                                       bool moved) {
   std::optional<std::size_t> clicked;
+  if (const std::string& problem = ui.workspace.files.browser.filter_problem; !problem.empty()) {
+    note(ui, problem, ui.colors.bad);
+    record(ui, "filter_problem");
+    return clicked;
+  }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& entry = *entries[i];
     const Browser& browser = ui.workspace.files.browser;

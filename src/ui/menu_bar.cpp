@@ -100,7 +100,7 @@ void items(const Context& ui, const workspace::Menu& menu) {
 constexpr const char* offers =
     "undo redo | reset_selected | frame_selection frame_all | select_all select_none invert_selection "
     "select_linked | split_edges cut_faces extrude_faces merge_vertices remove_elements | make_cage "
-    "edit_cage "
+    "edit_cage | toggle_pulls toggle_locked mirror_probe remove_probe "
     "| set_key keep_pose | add_probe | command_palette";
 
 }  // namespace
@@ -137,6 +137,14 @@ void menu_bar(const Context& ui) {
   const float line = ImGui::GetWindowPos().y + height - 1;
   ImGui::GetWindowDrawList()->AddLine({0, line}, {ui.workspace.view.viewport.window.x, line}, ui.colors.line);
   ImGui::EndMainMenuBar();
+}
+
+void command_menu(const Context& ui, const char* name, std::initializer_list<std::string_view> commands) {
+  if (!ImGui::BeginPopup(name)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
+  for (const std::string_view command : commands) menu_item(ui, *workspace::find_command(command));
+  ImGui::PopStyleVar();
+  ImGui::EndPopup();
 }
 
 void context_menu(const Context& ui) {

@@ -154,13 +154,15 @@ void panel_making(const Context& ui) {
 
 namespace {
 
-// Shows a title and a sentence. Returns the width of the text.
+constexpr float offer_padding = 16;
+
+// Shows a title and a sentence, in lines that fit beside the tools. Returns the width of the text.
 float words(const Context& ui, const std::string& title, const std::string& what) {
   ImGui::PushFont(ui.fonts.strong);
   const float wide = ImGui::CalcTextSize(title.c_str()).x;
-  text_in(ui.colors.text, title);
+  const float width = std::min(std::max(320.0f, wide), notice_room(ui) - 2 * offer_padding);
+  text_in(ui.colors.text, wrapped(title, width));
   ImGui::PopFont();
-  const float width = std::max(320.0f, wide);
   text_in(ui.colors.faint, wrapped(what, width));
   ImGui::Dummy({width, 2});
   return width;
@@ -183,11 +185,17 @@ void cage_sources(const Context& ui) {
 float cage_offer(const Context& ui, float bottom) {
   const workspace::Workspace& w = ui.workspace;
   if (!workspace::offers_next_step(w)) return bottom;
-  const Window window(
-      "Cage offer", {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {16, 14}}, card_flags);
+  const Window window("Cage offer",
+                      {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {offer_padding, 14}},
+                      card_flags);
   if (const document::Finding* finding = workspace::offered_finding(w)) {
-    words(ui, document::title(*finding), document::meaning(*finding));
-    command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
+    const float width = words(ui, document::title(*finding), document::meaning(*finding));
+    const auto commands = {"show_outside", "enclose_model", "hide_cage_offer"};
+    const bool in_row = width > 240;
+    for (const char* command : commands) {
+      if (in_row && command != *commands.begin()) ImGui::SameLine();
+      command_button(ui, command, in_row ? (width - 2 * ImGui::GetStyle().ItemSpacing.x) / 3 : width);
+    }
   } else {
     cage_sources(ui);
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/text.h"
 #include "document/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -15,15 +16,6 @@ constexpr float inset = 10;
 
 std::size_t mattering(const workspace::CheckState& checks) {
   return static_cast<std::size_t>(std::ranges::count_if(checks.findings, document::matters));
-}
-
-// "2 problems" or "no problems", visible while the section is closed.
-std::string summary(const workspace::CheckState& checks, std::size_t of_pose) {
-  if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
-  const std::size_t n = checks.findings.size() + of_pose;
-  if (n == 0) return "no problems";
-  if (mattering(checks) + of_pose == 0) return n == 1 ? "1 note" : count(n) + " notes";
-  return n == 1 ? "1 problem" : count(n) + " problems";
 }
 
 float wrapped_height(const std::string& text, float width) {
@@ -117,6 +109,15 @@ void group(const Context& ui, document::Subject subject, const char* heading) {
 
 }  // namespace
 
+std::string checks_summary(const workspace::CheckState& checks, std::size_t of_pose) {
+  if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
+  const std::size_t problems = mattering(checks) + of_pose,
+                    notes = checks.findings.size() - mattering(checks);
+  const std::string text = problems > 0 ? base::counted(problems, "problem") : "";
+  if (notes == 0) return problems > 0 ? text : "no problems";
+  return text + (problems > 0 ? ", " : "") + base::counted(notes, "note");
+}
+
 void panel_checks(const Context& ui) {
   auto& checks = ui.workspace.checks;
   if (!ui.workspace.document.model().surface) return;
@@ -125,7 +126,7 @@ void panel_checks(const Context& ui) {
   checks.fresh = false;
   const bool open = section(ui, "Checks", false);
   const auto& of_pose = ui.workspace.frame.notes;
-  section_note(ui, summary(checks, of_pose.size()), matter + of_pose.size() > 0 ? ui.colors.warn : 0);
+  section_note(ui, checks_summary(checks, of_pose.size()), matter + of_pose.size() > 0 ? ui.colors.warn : 0);
   if (!open) return;
   for (std::size_t i = 0; i < of_pose.size(); ++i) {
     note(ui, of_pose[i], ui.colors.warn);

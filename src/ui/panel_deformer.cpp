@@ -41,9 +41,8 @@ void choice(const Context& ui, Value value, bool chosen) {
   workspace::Workspace& w = ui.workspace;
   const workspace::Command& command = *workspace::find_command(workspace::choice_command_name(value));
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-  if (ImGui::Selectable(command.brief.data(), chosen)) command.run(w);
+  if (list_entry(ui, command.brief, command.name, chosen, "")) command.run(w);
   if (chosen) ImGui::PopStyleColor();
-  record(ui, command.name.data());
   const document::Deformer next = document::chosen(value, w.document.deformer());
   hint(std::string(entry_of(value).hint) + consequences(w, next, entry_of(value).label));
 }
@@ -53,13 +52,11 @@ template <class Value>
 void chooser(const Context& ui, const char* name, const char* label, std::optional<Value> chosen) {
   if (*label) row_label(label, chooser_label);
   ImGui::SetNextItemWidth(-1);
-  const std::string id = std::string("##") + name;
-  const char* shown = chosen ? entry_of(*chosen).label.data() : "Custom";
-  const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
-  record(ui, name);
-  if (!open && !chosen)
-    return hint("Weights and blend were chosen separately, in Analysis, Custom deformer.");
-  if (!open) return hint(std::string(entry_of(*chosen).hint));
+  const char* const shown = chosen ? entry_of(*chosen).label.data() : "Custom";
+  const std::string_view tip =
+      chosen ? entry_of(*chosen).hint
+             : "Weights and blend were chosen separately, in Analysis, Custom deformer.";
+  if (!begin_list(ui, name, shown, std::string(tip))) return;
   for (const Value value : base::all_values<Value>()) choice(ui, value, value == chosen);
   ImGui::EndCombo();
 }

@@ -58,10 +58,12 @@ namespace {
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
 // Size of the legend. `whole` is for one view and has a histogram. `small` is for several views and has none.
+// `tiny` has only the colour bar with two numbers.
 struct Size {
   float width, height, bars;
+  bool words = true;
 };
-constexpr Size whole{264, 134, bars}, small{216, 84, 0};
+constexpr Size whole{264, 134, bars}, small{216, 84, 0}, tiny{126, 40, 0, false};
 
 struct Legend {
   const Context& ui;
@@ -107,8 +109,13 @@ void tick(const Legend& l, double value, const std::string& text) {
 
 void ticks(const Legend& l) {
   ImGui::PushFont(l.ui.fonts.numbers);
-  if (analysis::entry(l.stats.field).scale == analysis::Scale::log10) {
-    const int low = static_cast<int>(l.stats.low), high = static_cast<int>(l.stats.high);
+  const bool in_powers = analysis::entry(l.stats.field).scale == analysis::Scale::log10;
+  const int low = static_cast<int>(l.stats.low), high = static_cast<int>(l.stats.high);
+  if (!l.size.words) {
+    for (const double value : {l.stats.low, l.stats.high})
+      tick(l, value,
+           in_powers ? "1e" + std::to_string(std::lround(value)) : analysis::text(l.stats.field, value));
+  } else if (in_powers) {
     for (int at = low + 1; at < high; at += (high - low + 4) / 5) tick(l, at, "1e" + std::to_string(at));
   } else {
     for (const double share : {0.0, 0.5, 1.0}) {
@@ -137,6 +144,7 @@ std::optional<double> pointed_value(const workspace::Workspace& w, const workspa
 void pointer(const Legend& l, double value) {
   const float x = l.x_of(value), y = l.at.y - 1;
   l.draw.AddTriangleFilled({x - 5, y - 7}, {x + 5, y - 7}, {x, y}, l.ui.colors.text);
+  if (!l.size.words) return;
   const std::string text = analysis::text(l.stats.field, value);
   ImGui::PushFont(l.ui.fonts.numbers);
   const float wide = ImGui::CalcTextSize(text.c_str()).x;
@@ -160,38 +168,45 @@ std::string extent(const workspace::FieldView& shown, float room) {
   if (stats.is_nan) return "some values are NaN";
   const std::string ends =
       analysis::text(stats.field, stats.least) + " to " + analysis::text(stats.field, stats.most);
-  const std::string with_median = ends + ", median " + analysis::text(stats.field, stats.median);
-  return ImGui::CalcTextSize(with_median.c_str()).x <= room ? with_median : ends;
+  const std::string median = "median " + analysis::text(stats.field, stats.median);
+  const bool fits = ImGui::CalcTextSize((ends + ", " + median).c_str()).x <= room;
+  return ends + (fits ? ", " : "\n") + median;
 }
 
-// Draws the legend with its lower right corner near `corner`.
-void legend(const Context& ui, ImVec2 corner, const workspace::FieldView& shown, analysis::Field field,
-            workspace::Method method, const Size& size) {
-  const ImVec2 low{corner.x - size.width - 16, corner.y - size.height - 16};
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  draw.AddRectFilled(low, {low.x + size.width, low.y + size.height}, faded(ui.colors.card, 0.92f), 8);
+// Draws the legend with its lower right corner near `corner`. Returns its height.
+float legend(const Context& ui, ImVec2 corner, const workspace::FieldView& shown, analysis::Field field,
+             workspace::Method method, const Size& size) {
+  const float room = size.width - 2 * legend_margin;
   ImGui::PushFont(ui.fonts.text);
-  draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text,
-               shortened(title(shown, field, method), size.width - 2 * legend_margin).c_str());
-  draw.AddText({low.x + legend_margin, low.y + 27}, ui.colors.faint,
-               extent(shown, size.width - 2 * legend_margin).c_str());
+  const std::string numbers = size.words ? extent(shown, room) : "";
+  const float more = numbers.find('\n') == std::string::npos ? 0 : ImGui::GetTextLineHeight();
+  const float height = size.height + more;
+  const ImVec2 low{corner.x - size.width - 16, corner.y - height - 16};
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.AddRectFilled(low, {low.x + size.width, low.y + height}, faded(ui.colors.card, 0.92f), 8);
+  if (size.words)
+    draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text,
+                 shortened(title(shown, field, method), room).c_str());
+  draw.AddText({low.x + legend_margin, low.y + 27}, ui.colors.faint, numbers.c_str());
   ImGui::PopFont();
-  const Legend made{
-      ui, draw, shown.stats, {low.x + legend_margin, low.y + 52 + size.bars + (size.bars > 0 ? 4 : 0)}, size};
+  const float above = (size.words ? 52 + more : 10) + size.bars + (size.bars > 0 ? 4 : 0);
+  const Legend made{ui, draw, shown.stats, {low.x + legend_margin, low.y + above}, size};
   colors(made, analysis::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
-  if (!shown.values) return;
+  if (!shown.values) return height;
   if (size.bars > 0) counts(made);
   ticks(made);
   if (const auto value = pointed_value(ui.workspace, shown)) pointer(made, *value);
+  return height;
 }
 
 }  // namespace
 
 namespace {
 
-// True if a legend covers only a corner of a view.
+// True if a legend fits beside the tools and covers only the lowest part of a view.
 bool fits(const Size& size, const glm::vec2& room) {
-  return room.x >= 1.5f * size.width && room.y >= 3 * size.height;
+  constexpr float gap = 24;
+  return room.x >= size.width + gap && room.y >= 3 * size.height;
 }
 
 }  // namespace
@@ -207,11 +222,17 @@ float map_legend(const Context& ui, float bottom) {
     if (field == analysis::Field::none) continue;
     const workspace::Pane pane = workspace::pane_of(split, view);
     const glm::vec2 corner = w.view.viewport.origin + (pane.at + pane.size) * w.view.viewport.size;
-    const glm::vec2 room = pane.size * w.view.viewport.size;
-    const Size& size = split.on() || !fits(whole, room) ? small : whole;
-    if (!fits(small, room)) continue;
-    legend(ui, vec(corner), split.views[view].shown, field, workspace::view_settings(w, view).method, size);
-    if (corner.y > bottom - 1) top = bottom - size.height - 32;
+    constexpr float tools = 60;
+    const float beside = pane.at.x == 0 && w.view.options.panels ? tools : 0;
+    const glm::vec2 room = pane.size * w.view.viewport.size - glm::vec2(beside, 0);
+    if (!fits(tiny, room)) continue;
+    const Size& size = !split.on() && fits(whole, room) ? whole : fits(small, room) ? small : tiny;
+    const float height = legend(ui, vec(corner), split.views[view].shown, field,
+                                workspace::view_settings(w, view).method, size);
+    if (ui.recorder)
+      ui.recorder->add("legend/" + std::to_string(view), {corner.x - size.width - 16, corner.y - height - 16,
+                                                          corner.x - 16, corner.y - 16, true, true});
+    if (corner.y > bottom - 1) top = bottom - height - 32;
   }
   return top;
 }

@@ -19,6 +19,7 @@ namespace {
 using workspace::pose_picture_size;
 
 constexpr const char* dragged_pose = "pose";
+constexpr const char* pose_menu = "Pose menu";
 constexpr float percent_width = 54, percent_sign = 14;
 
 // The user's changes of the list, applied after all rows are drawn.
@@ -89,6 +90,7 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   const document::NamedPose& named = ui.workspace.document.library().poses[index];
   const std::string id = std::to_string(index);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
   picture(ui, index, named, wish);
   ImGui::SameLine();
   ImGui::BeginGroup();
@@ -101,6 +103,10 @@ void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   weight(ui, index, shown, wish);
   ImGui::PopStyleVar(2);
   ImGui::EndGroup();
+  const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, ImGui::GetItemRectMax());
+  if (!hovered || !ImGui::IsMouseClicked(1)) return;
+  wish.chosen = index;
+  ImGui::OpenPopup(pose_menu);
 }
 
 void grant(workspace::Workspace& w, const PoseWish& wish) {
@@ -143,6 +149,7 @@ void panel_poses(const Context& ui) {
       workspace::shown_weights(w);  // after the buttons, which can change the poses
   for (std::size_t i = 0; i < shown.size(); ++i) row(ui, i, shown[i], wish);
   ImGui::EndDisabled();
+  command_menu(ui, pose_menu, {"apply_pose", "update_pose", "remove_pose"});
   if (free) grant(w, wish);
 }
 

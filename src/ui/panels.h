@@ -36,6 +36,8 @@ void draw_panels(const Context& ui);
 void menu_bar(const Context& ui);
 /// A menu line that runs a command. Shows the command's label, or `called` if given. Returns true if chosen.
 bool menu_item(const Context& ui, const workspace::Command& command, std::string_view called = "");
+/// The menu of a widget, if it was opened by ImGui::OpenPopup(name).
+void command_menu(const Context& ui, const char* name, std::initializer_list<std::string_view> commands);
 void context_menu(const Context& ui);  ///< opened by a right click
 void tool_strip(const Context& ui);    ///< icons of the tools, in the view
 void command_palette(const Context& ui);
@@ -74,6 +76,9 @@ float cage_offer(const Context& ui, float bottom);    ///< suggests to get a cag
 float key_question(const Context& ui, float bottom);  ///< the choice of a keymap at the first start
 float work_bar(const Context& ui, float bottom);      ///< running work, with progress and Cancel
 float map_legend(const Context& ui, float bottom);    ///< the meaning of the colours of the mesh
+/// Returns a text such as "1 problem, 2 notes". `of_pose` is the number of problems of the pose.
+std::string checks_summary(const workspace::CheckState& checks, std::size_t of_pose);
+inline constexpr float tiny_legend_height = 56;  ///< of the smallest legend of a map, with its margin
 /// Draws picture, name and date of recovered edits. Returns true if a click restores them.
 bool recovery_card(const Context& ui, const files::RecoveryFile& file, const std::string& id, float width);
 inline constexpr float recovery_card_height = 46;

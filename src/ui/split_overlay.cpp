@@ -131,7 +131,9 @@ void split_overlay(const Context& ui) {
     const float room = pane.size.x * w.view.viewport.size.x - beside;
     const bool at_bottom = by_axes && room - axes_room < least_room;
     const glm::vec2 corner = pane.at + glm::vec2(0, at_bottom ? pane.size.y : 0);
-    caption(ui, view, w.view.viewport.origin + corner * w.view.viewport.size + glm::vec2(beside, 0),
+    const bool over_legend = at_bottom && workspace::shown_field(w, view) != analysis::Field::none;
+    const glm::vec2 offset(beside, over_legend ? -tiny_legend_height : 0);
+    caption(ui, view, w.view.viewport.origin + corner * w.view.viewport.size + offset,
             room - (by_axes && !at_bottom ? axes_room : 0), at_bottom);
   }
 }

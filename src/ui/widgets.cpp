@@ -210,15 +210,27 @@ bool begin_list(const Context& ui, const std::string& name, const char* shown, c
   const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown, ImGuiComboFlags_HeightLargest);
   record(ui, name);
   if (!open && !tip.empty()) hint(tip);
-  return open;
+  if (!open) return false;
+  workspace::OpenList& list = ui.workspace.panels.open_list;
+  if (ImGui::IsWindowAppearing()) list = {};
+  const int steps = arrow_steps(), last = std::exchange(list.added, 0) - 1;
+  list.moved = steps != 0 && last >= 0;
+  if (list.moved) list.entry = std::clamp(list.entry.value_or(-1) + steps, 0, last);
+  return true;
 }
 
 bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
                 std::string_view tip) {
-  const bool clicked = ImGui::Selectable(std::string(label).c_str(), chosen);
+  workspace::OpenList& list = ui.workspace.panels.open_list;
+  const int index = list.added++;
+  if (chosen && !list.entry) list.entry = index;
+  const bool marked = list.entry == index, entered = marked && enter_pressed();
+  const bool clicked = ImGui::Selectable(std::string(label).c_str(), marked);
+  if (marked && list.moved) ImGui::SetScrollHereY();
+  if (entered) ImGui::CloseCurrentPopup();
   record(ui, name);
   if (!tip.empty()) hint(std::string(tip));
-  return clicked;
+  return clicked || entered;
 }
 
 void card(const Context& ui, ImVec2 low, ImVec2 high, bool active) {
@@ -296,11 +308,28 @@ bool take_escape(workspace::Workspace& w) {
   return true;
 }
 
+namespace {
+
+// The place of a tooltip: below the last item, otherwise above it, otherwise below the cursor.
+ImVec2 hint_place(ImVec2 size) {
+  constexpr float gap = 4, cursor_height = 20;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize, mouse = ImGui::GetIO().MousePos;
+  const float below = ImGui::GetItemRectMax().y + gap, above = ImGui::GetItemRectMin().y - gap - size.y;
+  const float y = below + size.y <= screen.y ? below : above >= 0 ? above : mouse.y + cursor_height;
+  return {std::clamp(mouse.x, 0.0f, std::max(screen.x - size.x, 0.0f)), y};
+}
+
+}  // namespace
+
 void hint(const std::string& text) {
   if (!wants_hint()) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // some windows have no padding
+  const ImVec2 padding{12, 8};  // some windows have no padding
+  const std::string lines = wrapped(text, 268);
+  const ImVec2 size = ImGui::CalcTextSize(lines.c_str());
+  ImGui::SetNextWindowPos(hint_place({size.x + 2 * padding.x, size.y + 2 * padding.y}));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::BeginTooltip();
-  ImGui::TextUnformatted(wrapped(text, 268).c_str());
+  ImGui::TextUnformatted(lines.c_str());
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }

@@ -84,7 +84,7 @@ bool button(const Context& ui, const char* label, const std::string& name, const
             ImVec2 size = {0, 0}, bool enabled = true);
 void checkbox(const Context& ui, const char* label, const std::string& name, bool& on, const char* tip);
 /// Begins a drop-down list. If the result is true, add entries and call ImGui::EndCombo(). The tooltip is
-/// shown while the list is closed.
+/// shown while the list is closed. In an open list, the arrow keys mark an entry and Enter chooses it.
 bool begin_list(const Context& ui, const std::string& name, const char* shown, const std::string& tip);
 bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
                 std::string_view tip);
@@ -128,7 +128,7 @@ void note_within(const Context& ui, int lines, const std::string& text, ImU32 co
 std::string wrapped(const std::string& text, float width);
 /// Truncates a text to the width, with "..." at the end.
 std::string shortened(std::string text, float width);
-/// A wrapped tooltip for the last item.
+/// A wrapped tooltip beside the last item.
 void hint(const std::string& text);
 /// True if the last item needs a tooltip: the item is hovered but not pressed, and no other tooltip is shown.
 bool wants_hint();

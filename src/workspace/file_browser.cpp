@@ -127,6 +127,7 @@ void enter(FileBrowser& browser, const fs::path& folder) {
             .string();
     browser.problem.clear();
     browser.filter.clear();
+    browser.filter_problem.clear();
     browser.highlighted = browser.saves() ? FileBrowser::none : 0;
   } catch (const fs::filesystem_error& error) {
     browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
@@ -226,7 +227,10 @@ std::string problem_of_name(const FileBrowser& browser) {
   if (const std::string* used = browser.in_use.find(file))
     return name + " is open (" + *used + ") and cannot be replaced; " +
            base::unused_name(file).filename().string() + " is a free name.";
-  return fits(file, browser) ? "" : name + " has an unknown extension; use " + format_list(browser);
+  if (fits(file, browser)) return "";
+  const bool known = formats::find_format(file) != nullptr;  // such as STL, which loses the order of vertices
+  return name + (known ? " has an unsuitable format here; use " : " has an unknown extension; use ") +
+         format_list(browser);
 }
 
 std::string format_list(const FileBrowser& browser) {

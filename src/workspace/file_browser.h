@@ -61,6 +61,7 @@ struct FileBrowser {
   std::string suggested;        ///< proposed file name when saving; kept when the folder changes
   document::FilesInUse in_use;  ///< open files, which must not be overwritten
   std::string filter;           ///< only entries that contain this text are shown, ignoring case
+  std::string filter_problem;   ///< why the path in `filter` cannot be opened; empty: no problem
   std::string warned;           ///< the existing file that is overwritten if the user presses Enter again
   /// Index of the shown entry that Enter opens. `none`: Enter saves under the typed name.
   std::size_t highlighted = 0;

@@ -18,8 +18,8 @@ const fs::path& file_of_cage(const document::Document& document) {
 
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   std::error_code ignored;
-  const bool there = fs::is_directory(file.parent_path(), ignored);
-  show(w.files.browser, purpose, there ? file.parent_path() : w.preferences.folder);
+  const fs::path folder = fs::absolute(file, ignored).parent_path();  // "model.obj" is in the current folder
+  show(w.files.browser, purpose, fs::is_directory(folder, ignored) ? folder : w.preferences.folder);
 }
 
 // The open file that may be overwritten when saving for this purpose.

@@ -110,6 +110,13 @@ struct TypedText {
   int frame = 0;  ///< number of the picture in which the field was last drawn
 };
 
+/// The keyboard's entry of the open drop-down list. Enter chooses this entry.
+struct OpenList {
+  std::optional<int> entry{};
+  int added = 0;       ///< number of entries of this picture so far, then of the last picture
+  bool moved = false;  ///< an arrow key changed the entry in this picture
+};
+
 /// The slider that is replaced by a number field.
 struct TypedSlider {
   std::string name;
@@ -216,6 +223,8 @@ struct Files {
   std::optional<Question> question;            ///< a modal question, which blocks other actions
   std::optional<files::OpenRequest> unopened;  ///< the request that caused the question
   std::optional<Question::Kind> after_saving;  ///< the action to continue after saving
+  /// The user's deformer and its substitute for an open point set. The next surface gets the former.
+  std::optional<std::pair<pose::Deformer, pose::Deformer>> without_surface;
   FileBrowser browser;
 };
 
@@ -238,6 +247,7 @@ struct Panels {
   CopiedPose copied;
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
+  OpenList open_list;
   std::optional<BeforeWidgetEdit> before_edit;
   float notice_height = 0;     ///< last height of the recovery notice in logical pixels
   bool offer_cage = true;      ///< false: the user has dismissed the suggestion to get a cage

@@ -22,6 +22,7 @@ TEST_CASE("options_take_what_they_need_and_refuse_the_rest_with_it") {
   CHECK(whole == 10'000'000);
   CHECK(word == "front");
   CHECK(size == glm::ivec2(640, 480));
+  CHECK(mentions(command.get_option("--size")->get_description(), "logical pixels"));
 
   const auto refuses = [&](const std::string& option, const std::string& needs,
                            std::initializer_list<const char*> values) {

@@ -1,6 +1,7 @@
 #include "document/document.h"
 
 #include "support/files.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -95,6 +96,13 @@ TEST_CASE("every_model_has_diagonal_two_in_view_wherever_it_is_and_however_large
     }
   }
   CHECK(document::space_for({{1, 2, 3}, {1, 2, 3}}).to_view({1, 2, 3}) == glm::vec3(0));
+}
+
+TEST_CASE("a_binding_names_the_triangles_that_the_panel_counts") {
+  Document document = test::cube_document();
+  test::put_cage(document, test::cube());
+  const std::string plan = binding_plan(document, pose::default_deformer().weighting);
+  CHECK(plan.starts_with("Binding 8 vertices to 12 triangles, "));
 }
 
 TEST_CASE("grid_cell_is_a_round_number_that_suits_the_model") {

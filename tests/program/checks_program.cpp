@@ -14,8 +14,9 @@ namespace {
 struct Checked : test::SmallScene {
   fs::path holed = folder / "holed.obj", low = folder / "low.obj";
 
-  explicit Checked(std::optional<test::WithPixels> pixels = Driver::pictures_wanted())
-      : SmallScene(Driver::default_options(), pixels) {
+  explicit Checked(std::optional<test::WithPixels> pixels = Driver::pictures_wanted(),
+                   glm::ivec2 size = {1280, 800})
+      : SmallScene(Driver::default_options(size), pixels) {
     d.workspace().view.options.axes = false;
     mesh::Surface cage = test::ball(1.2, 1);
     formats::write(holed,
@@ -128,6 +129,15 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   CHECK(d.workspace().checks.findings.empty());
 }
 
+TEST_CASE("the_offer_to_enclose_is_inside_a_narrow_view") {
+  Checked c({}, {900, 600});
+  c.open_cage(c.low);
+  CHECK(c.shows("show_outside"));
+  CHECK(c.shows("hide_cage_offer"));
+  const auto rect = c.d.viewer().recorder().find("hide_cage_offer");
+  CHECK(rect->x0 > c.d.viewer().recorder().find("strip/tool_move")->x1);
+}
+
 TEST_CASE("an_edit_of_the_cage_that_pushes_vertices_out_offers_to_enclose_the_model") {
   Checked c;
   formats::write(c.folder / "tight.obj", test::ball(1.1, 1));
@@ -147,11 +157,13 @@ TEST_CASE("an_edit_of_the_cage_that_pushes_vertices_out_offers_to_enclose_the_mo
   CHECK_FALSE(c.shows("hide_cage_offer"));
 }
 
-TEST_CASE("points_open_with_a_deformer_that_needs_no_surface") {
+TEST_CASE("points_open_with_a_deformer_that_needs_no_surface_and_the_next_surface_has_the_users_deformer") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
   Driver d;
   d.document().put_deformer(pose::default_deformer());
   REQUIRE(d.open({folder / "points.obj"}));
   CHECK_FALSE(d.document().deformer().weighting.on_surface());
+  d.open_dragon();
+  CHECK(d.document().deformer() == pose::default_deformer());
 }

@@ -152,6 +152,25 @@ TEST_CASE("typing_in_a_file_list_filters_the_list") {
   }
 }
 
+TEST_CASE("a_wrong_path_in_the_filter_is_reported_below_the_filter_and_the_path_row_stays") {
+  Dialogs scene;
+  Driver& d = scene.d;
+  const workspace::FileBrowser& browser = d.workspace().files.browser;
+  scene.open("open_cage");
+  const std::string path = browser.path;
+  d.type("/no/such.obj");
+  d.press_key(workspace::Key::enter);
+  d.frame(2);
+  CHECK(d.viewer().recorder().find("filter_problem"));
+  CHECK_FALSE(d.viewer().recorder().find("file_problem"));
+  CHECK(browser.path == path);
+  CHECK(browser.filter == "/no/such.obj");
+  d.type("x");
+  d.frame(2);
+  CHECK(browser.filter_problem.empty());
+  scene.close();
+}
+
 TEST_CASE("another_scale_applies_at_the_next_frame") {
   Driver d;
   d.frame(3);

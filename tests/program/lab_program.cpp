@@ -130,6 +130,23 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
   CHECK(d.workspace().view.split.views[0].shown.stats.least > -0.5);
 }
 
+TEST_CASE("a_map_has_a_legend_in_small_views") {
+  for (const auto& [size, views] : {std::pair(glm::ivec2(1100, 720), std::vector{0, 1, 2, 3}),
+                                    std::pair(glm::ivec2(900, 600), std::vector{1, 3})}) {
+    test::SmallScene s(test::small_options(size));
+    s.d.run("map_area");
+    s.d.run("views_4");
+    s.d.settle();
+    const auto seen = std::filesystem::path("/tmp/h_legend_" + std::to_string(size.x) + ".png");
+    if (std::getenv("H_PIC")) render::write_png(seen, s.d.picture());
+    for (const int view : views) {
+      const auto rect = s.d.viewer().recorder().find("legend/" + std::to_string(view));
+      REQUIRE_MESSAGE(rect, size.x, " ", view);
+      CHECK(rect->x0 > s.d.workspace().view.viewport.origin.x + 60);  // beside the tools
+    }
+  }
+}
+
 TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   Driver d;
   d.open_dragon("pose_alert");

@@ -96,7 +96,9 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   d.click("toggle_locked");
   d.click(d.on_screen(document::probe_center(d.document(), 0)));
   CHECK(d.document().selection().contains(0));
-  d.press_key(workspace::Key::delete_key, false, true);
+  d.click(d.on_screen(document::probe_center(d.document(), 0)), 1);
+  d.frame(2);
+  d.click("menu/remove_probe");
   CHECK(d.document().probes().empty());
   d.press_key('Z', true);
   d.document().changed_probes().all[0].pose.move = {0.1, 0.25, 0};

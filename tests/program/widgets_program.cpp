@@ -184,6 +184,25 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
   }
 }
 
+TEST_CASE("a_tooltip_does_not_cover_its_widget") {
+  Held d;
+  for (const char* section : {"Analysis", "Views", "Model"})
+    d.workspace().preferences.layout.sections[section] = true;
+  std::string words;
+  for (int i = 0; i < 60; ++i) words += "several lines ";
+  d.workspace().messages.warn(words);
+  d.frame(4);
+  for (const char* widget : {"views_4", "toast/0"}) {
+    d.move(d.place_of(widget));
+    d.frame(4);
+    REQUIRE_MESSAGE(has_tooltip(), widget);
+    const auto rect = d.viewer().recorder().find(widget);
+    const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+    CHECK_MESSAGE((tooltip->Pos.y >= rect->y1 || tooltip->Pos.y + tooltip->Size.y <= rect->y0), widget);
+    CHECK(tooltip->Pos.x + tooltip->Size.x <= 1440.5f);
+  }
+}
+
 TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
   Held d;
   d.workspace().preferences.layout.sections["Cage"] = true;
@@ -225,6 +244,36 @@ TEST_CASE("esc_closes_popups_without_a_change") {
     CHECK_MESSAGE(d.names() == closed, std::string(chooser));
     CHECK_MESSAGE(state(d.workspace()) == before, chooser);
   }
+}
+
+TEST_CASE("a_right_click_on_a_pose_opens_its_menu") {
+  Held d;
+  d.workspace().view.chosen_pose.reset();
+  d.click(d.place_of("pose_name/0"), 1);
+  d.frame(2);
+  CHECK(d.workspace().view.chosen_pose == std::size_t{0});
+  d.click("menu/remove_pose");
+  CHECK(d.document().library().poses.empty());
+}
+
+TEST_CASE("arrow_keys_and_enter_choose_in_every_list") {
+  Held d;
+  for (const char* section : {"Analysis", "Map"}) d.workspace().preferences.layout.sections[section] = true;
+  d.frame(2);
+  const auto by_key = [&](const char* chooser, workspace::Key arrow) {
+    d.click(chooser);
+    d.frame(2);
+    d.press_key(arrow);
+    d.press_key(workspace::Key::enter);
+    d.frame(2);
+    CHECK_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  };
+  by_key("map", workspace::Key::down);
+  CHECK(d.workspace().view.options.field == static_cast<analysis::Field>(1));
+  by_key("map", workspace::Key::up);
+  CHECK(d.workspace().view.options.field == analysis::Field::none);
+  by_key("deformer", workspace::Key::down);
+  CHECK(pose::preset_of(d.document().deformer()) == pose::Preset::mean_value);
 }
 
 TEST_CASE("esc_in_a_field_leaves_its_number_and_name") {
@@ -356,6 +405,10 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   CHECK_FALSE(times.measured);
   d.button(0, false);
   CHECK(d.until([&] { return times.measured; }));
+
+  d.run("deformer_mean_value");  // without exponentials: only the fused engine is timed
+  CHECK(d.until(
+      [&] { return times.measured && times.stages[fused].total() > 0 && times.stages[0].total() == 0; }));
 }
 
 TEST_CASE("the_first_start_asks_once_for_the_keymap") {

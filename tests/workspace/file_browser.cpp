@@ -210,6 +210,8 @@ TEST_CASE("an_unwritable_name_is_detected_before_the_work") {
   CHECK(problem_of_name(browser).empty());
   browser.path = "pose.xyz";
   CHECK(test::mentions(problem_of_name(browser), "OBJ, PLY or OFF"));
+  browser.path = "pose.stl";
+  CHECK(problem_of_name(browser) == "pose.stl has an unsuitable format here; use OBJ, PLY or OFF");
   browser.path = "pose";
   CHECK(problem_of_name(browser).empty());
   browser.path = "no/such/folder/pose.obj";

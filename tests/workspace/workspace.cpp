@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "support/posed_cube.h"
+#include "workspace/command.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -32,6 +33,17 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   CHECK(w.view.brush.radius == fresh.view.brush.radius);
   CHECK(w.making.wish.triangles == fresh.making.wish.triangles);
   CHECK(w.preferences.layout == fresh.preferences.layout);
+}
+
+TEST_CASE("a_file_without_a_folder_is_browsed_in_the_current_folder") {
+  Workspace w;
+  w.document = test::cube_document();
+  w.document.put_saved_model("model.obj");
+  w.preferences.folder = "/";  // the folder of an older document
+  for (const char* command : {"open_cage", "import_animation", "save_model"}) {
+    find_command(command)->run(w);
+    CHECK(w.files.browser.folder == std::filesystem::canonical("."));
+  }
 }
 
 TEST_CASE("cancelling_merged_steps_keeps_the_older_edit_and_leaves_another_document_alone") {
