@@ -1,4 +1,5 @@
-// An OpenGL context without a window, from OSMesa or EGL. Both libraries are loaded at run time.
+// An OpenGL context without a visible window, from OSMesa or the graphics driver. Their libraries are loaded
+// at run time.
 #pragma once
 
 #include <memory>
@@ -12,11 +13,11 @@ namespace viete::platform {
 /// context, because Mesa would replace the window's context.
 class OffscreenContext {
 public:
-  enum class Kind { any, osmesa, egl };
+  enum class Kind { any, osmesa, driver };
 
-  /// Kind::any first tries OSMesa, then EGL with Mesa's CPU rasteriser, then EGL with any driver. CPU
-  /// rasterisers give equal pictures on all machines. EGL sets LIBGL_ALWAYS_SOFTWARE for the process. If all
-  /// attempts fail, throws base::Error with the reasons.
+  /// Kind::any first tries OSMesa, then Kind::driver: EGL with Mesa's CPU rasteriser, then EGL with any
+  /// driver or, on Windows, an invisible window. CPU rasterisers give equal pictures on all machines. EGL
+  /// sets LIBGL_ALWAYS_SOFTWARE for the process. If all attempts fail, throws base::Error with the reasons.
   static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any);
 
   virtual ~OffscreenContext() = default;

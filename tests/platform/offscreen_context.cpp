@@ -25,8 +25,8 @@ render::Image ball_picture(Kind kind) {
 }  // namespace
 
 TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_present)) {
-  if (!test::available(Kind::osmesa) || !test::available(Kind::egl)) return;
-  const render::Image by_osmesa = ball_picture(Kind::osmesa), by_egl = ball_picture(Kind::egl);
+  if (!test::available(Kind::osmesa) || !test::available(Kind::driver)) return;
+  const render::Image by_osmesa = ball_picture(Kind::osmesa), by_egl = ball_picture(Kind::driver);
   CHECK(test::count_not_black(by_osmesa) > 0);
   CHECK(test::difference(by_osmesa, by_egl, 2) <= 0.001);
 }

@@ -26,11 +26,11 @@ if(VIETE_BUILD_VIEWER)
   # Headers only: OpenGL is not linked. render/gl.h loads its functions at run time.
   find_path(GL_HEADER_DIR GL/glcorearb.h)
   find_path(EGL_HEADER_DIR EGL/eglext.h)
-  if(NOT GL_HEADER_DIR OR NOT EGL_HEADER_DIR)
+  if(NOT GL_HEADER_DIR OR NOT (EGL_HEADER_DIR OR WIN32))
     message(FATAL_ERROR "OpenGL or EGL headers not found: ${DEP_HINT}")
   endif()
   dep(gl)
-  target_include_directories(dep::gl SYSTEM INTERFACE ${GL_HEADER_DIR} ${EGL_HEADER_DIR})
+  target_include_directories(dep::gl SYSTEM INTERFACE ${GL_HEADER_DIR} $<$<BOOL:${EGL_HEADER_DIR}>:${EGL_HEADER_DIR}>)
 
   find_package(glfw3 3.3 REQUIRED)
   dep(glfw glfw)
