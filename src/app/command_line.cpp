@@ -61,6 +61,7 @@ int run(const Program& program, std::vector<std::string> arguments) {
   app.formatter(help_formatter());
   app.set_help_flag("-h,--help", "Show this help and exit");
   app.require_subcommand(1);
+  app.allow_windows_style_options(false);  // a path may begin with a slash
 #if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
   // Reports invalid values before missing values, as older CLI11 does. Subcommands inherit this setting.
   app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);

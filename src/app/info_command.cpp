@@ -26,8 +26,9 @@ constexpr std::size_t named = 12;  // elements listed per finding
 
 // Prints as many digits as needed for six significant digits of the box's size.
 std::string box_text(const mesh::Bounds& box) {
-  const double far = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high)), size = box.diagonal();
-  const double more = far > size && size > 0 ? std::ceil(std::log10(far / size)) : 0;
+  const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high)),
+               size = box.diagonal();
+  const double more = farthest > size && size > 0 ? std::ceil(std::log10(farthest / size)) : 0;
   const int digits = std::min(17, 6 + static_cast<int>(more));
   const auto text = [digits](const mesh::Point& p) {
     return base::formatted("(%.*g, %.*g, %.*g)", digits, p[0], digits, p[1], digits, p[2]);

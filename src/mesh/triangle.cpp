@@ -81,6 +81,15 @@ int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
+// The rounding error of product = x * y, by Dekker's algorithm (1971). Some C libraries compute fma()
+// inexactly. The factors must be smaller than 2^996.
+double product_error(double x, double y, double product) {
+  constexpr double splitter = 0x1p27 + 1;
+  const double xs = splitter * x, ys = splitter * y;
+  const double xh = xs - (xs - x), xl = x - xh, yh = ys - (ys - y), yl = y - yh;
+  return ((xh * yh - product) + xh * yl + xl * yh) + xl * yl;
+}
+
 // An exact sum of doubles. It is stored as an expansion (Shewchuk 1997): parts of ascending size.
 class ExactSum {
 public:
@@ -98,10 +107,10 @@ public:
 
   // Adds the exact product x * y * z. The product x * y is exactly head + tail.
   void add_product(double x, double y, double z) {
-    const double head = x * y, tail = std::fma(x, y, -head);
+    const double head = x * y, tail = product_error(x, y, head);
     for (const double part : {tail, head}) {
       const double product = part * z;
-      add(std::fma(part, z, -product));
+      add(product_error(part, z, product));
       add(product);
     }
   }

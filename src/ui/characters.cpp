@@ -27,24 +27,24 @@ void add_each(Characters& all, const List& list, Text text) {
 }
 
 void add_files(Characters& all, const workspace::Workspace& w) {
-  add(all, w.document.model().path.native());
-  add(all, w.document.cage_file().path.native());
-  add(all, w.document.cage_beside().native());
-  add(all, w.files.saved.session.native());
+  add(all, w.document.model().path.string());
+  add(all, w.document.cage_file().path.string());
+  add(all, w.document.cage_beside().string());
+  add(all, w.files.saved.session.string());
   for (const workspace::RecentFile& recent : w.preferences.recent) {
-    add(all, recent.file.native());
-    add(all, recent.cage.native());
+    add(all, recent.file.string());
+    add(all, recent.cage.string());
   }
   for (const files::RecoveryFile& kept : w.recovery.files) {
     add(all, kept.name);
-    add(all, kept.folder.native());
+    add(all, kept.folder.string());
   }
 }
 
 void add_browser(Characters& all, const workspace::FileBrowser& browser) {
   if (!browser.open) return;
   add_each(all, browser.entries, &workspace::FileBrowser::Entry::name);
-  add(all, browser.folder.native());
+  add(all, browser.folder.string());
   for (const std::string* text : {&browser.path, &browser.problem, &browser.filter, &browser.warned})
     add(all, *text);
 }

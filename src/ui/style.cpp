@@ -36,7 +36,7 @@ ImFont* add_first(std::initializer_list<const char*> files, float size, const Ra
     for (const std::filesystem::path folder : font_folders) {
       std::error_code ignored;
       if (std::filesystem::exists(folder / file, ignored))
-        return ImGui::GetIO().Fonts->AddFontFromFileTTF((folder / file).c_str(), size, nullptr,
+        return ImGui::GetIO().Fonts->AddFontFromFileTTF((folder / file).string().c_str(), size, nullptr,
                                                         ranges.data());
     }
   return nullptr;
@@ -48,7 +48,7 @@ void merge(const std::vector<SystemFont>& others, float size, const Fonts& fonts
     ImFontConfig config;
     config.MergeMode = true;
     config.FontNo = static_cast<int>(others[i].face);
-    ImGui::GetIO().Fonts->AddFontFromFileTTF(others[i].file.c_str(), size, &config,
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(others[i].file.string().c_str(), size, &config,
                                              fonts.ranges[i + 1].data());
   }
 }

@@ -239,7 +239,7 @@ private:
   void flip(std::uint32_t h) {
     const std::uint32_t g = twin_[h], bc = next_[h], ca = next_[bc], ad = next_[g], db = next_[ad];
     const auto c = corner_beside(h, length_[ca], length_[bc]), d = corner_beside(g, length_[db], length_[ad]);
-    const double length = std::hypot(c[0] - (length_[h] - d[0]), c[1] + d[1]);
+    const double length = mesh::norm({c[0] - (length_[h] - d[0]), c[1] + d[1], 0});
     tail_[h] = tail_[ca];
     tail_[g] = tail_[db];
     next_[h] = db;

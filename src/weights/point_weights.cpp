@@ -33,7 +33,7 @@ Vec3 any_across(const Vec3& unit) {
 // Sets along, inward and length (see DistanceTriangle) of the edge from (x, y) to (x + dx, y + dy).
 void set_edge(double x, double y, double dx, double dy, double* along, double* inward, double& length) {
   const double size = std::max(std::abs(dx), std::abs(dy));
-  length = size > 0 ? size * std::hypot(dx / size, dy / size) : 0;
+  length = size > 0 ? size * mesh::norm({dx / size, dy / size, 0}) : 0;
   const double ux = length > 0 ? dx / length : 1, uy = length > 0 ? dy / length : 0;
   const double to_along[] = {ux, uy, -(ux * x + uy * y)}, to_inward[] = {-uy, ux, uy * x - ux * y};
   std::copy_n(to_along, 3, along);
