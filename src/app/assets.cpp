@@ -19,7 +19,7 @@ namespace {
 fs::path assets_folder() {
   std::vector<fs::path> places;
   if (std::string named = base::os::variable("VIETE_ASSETS"); !named.empty()) places.emplace_back(named);
-  places.push_back(program_folder() / ".." / "share" / "viete");
+  for (const char* prefix : {"..", "."}) places.push_back(program_folder() / prefix / "share" / "viete");
   places.emplace_back(VIETE_SOURCE_ASSETS);
   std::vector<std::string> looked;
   for (const auto& place : places) {
@@ -34,7 +34,8 @@ fs::path assets_folder() {
 fs::path manual_folder() {
   std::error_code ignored;
   const fs::path program = program_folder();
-  for (const fs::path& folder : {program / "manual", program / ".." / "share" / "viete" / "manual"})
+  for (const fs::path& folder : {program / "manual", program / ".." / "share" / "viete" / "manual",
+                                 program / "share" / "viete" / "manual"})
     if (fs::exists(folder / "index.html", ignored)) return fs::weakly_canonical(folder);
   throw base::Error("the manual", "its pages have not been built",
                     "read assets/manual/README.md in the sources, or install cmark-gfm and build again");

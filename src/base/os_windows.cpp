@@ -93,9 +93,11 @@ std::string registry_text(const wchar_t* key, const wchar_t* name) {
 
 // ---------------------------------------------------------------- program and environment
 
-// A program with windows has no console of its own. If a console has started it, writes there.
+// A program with windows has no console of its own. If it was started from a console, attaches to this console,
+// to write there and to receive Ctrl+C.
 std::vector<std::string> start_program(int, char**) {
-  if (GetStdHandle(STD_OUTPUT_HANDLE) == nullptr && AttachConsole(ATTACH_PARENT_PROCESS)) {
+  const bool has_output = GetStdHandle(STD_OUTPUT_HANDLE) != nullptr;
+  if (AttachConsole(ATTACH_PARENT_PROCESS) && !has_output) {
     for (std::FILE* file : {stdout, stderr}) (void)std::freopen("CONOUT$", "w", file);
   }
   SetConsoleOutputCP(CP_UTF8);
@@ -530,10 +532,10 @@ bool is_device_name(const fs::path& file) {
 
 // A NewFile does not share writing, so its file cannot be opened here.
 void remove_unless_held(const fs::path& file) {
-  const Handle handle(CreateFileW(file.c_str(), GENERIC_WRITE, 0, nullptr, OPEN_EXISTING,
-                                  FILE_FLAG_OPEN_REPARSE_POINT, nullptr));
+  Handle handle(CreateFileW(file.c_str(), GENERIC_WRITE, 0, nullptr, OPEN_EXISTING,
+                            FILE_FLAG_OPEN_REPARSE_POINT, nullptr));
   if (!is_valid(handle)) return;
-  CloseHandle(const_cast<Handle&>(handle).release());
+  handle.reset();
   DeleteFileW(file.c_str());
 }
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <initializer_list>
 
+#include "base/os.h"
+
 namespace viete::ui {
 
 namespace {
@@ -19,8 +21,10 @@ ImVec4 rgba(unsigned hex, float alpha = 1) {
   return c;
 }
 
-// Font folders of distributions, and of a Flatpak runtime.
-constexpr const char* font_folders[] = {"/usr/share/fonts", "/app/share/fonts"};
+// Font folders of portable packages (beside the program), of distributions and of a Flatpak runtime.
+std::vector<std::filesystem::path> font_folders() {
+  return {base::os::program_file().parent_path() / "share" / "fonts", "/usr/share/fonts", "/app/share/fonts"};
+}
 
 // Ranges of ImGui, pairs of the first and last character, that end with 0.
 using Ranges = std::vector<ImWchar>;
@@ -33,7 +37,7 @@ Ranges ranges_of(const std::set<char32_t>& characters, Ranges ranges = {}) {
 
 ImFont* add_first(std::initializer_list<const char*> files, float size, const Ranges& ranges) {
   for (const char* file : files)
-    for (const std::filesystem::path folder : font_folders) {
+    for (const std::filesystem::path& folder : font_folders()) {
       std::error_code ignored;
       if (std::filesystem::exists(folder / file, ignored))
         return ImGui::GetIO().Fonts->AddFontFromFileTTF((folder / file).string().c_str(), size, nullptr,

@@ -1,0 +1,152 @@
+#!/bin/sh
+# Cross-compiles Viete for Windows: windows.sh FOLDER [tests]. Fetches the source packages of the dependencies through apt, builds
+# them with their own build files in FOLDER/prefix, and makes FOLDER/viete-VERSION-win64.zip. `tests` also compiles unit tests.
+# setup.sh calls this script after it has installed the compiler.
+set -eu
+here=$(CDPATH='' cd -P -- "$(dirname -- "$0")/.." && pwd)
+mkdir -p "$1"
+work=$(cd "$1" && pwd)
+prefix=$work/prefix
+host=x86_64-w64-mingw32
+jobs=${JOBS:-$(nproc)}
+
+say() { echo "windows.sh: $*" >&2; }
+
+# log NAME COMMAND...: runs a command with its output in a file; shows the file if the command fails.
+log() {
+  name=$1
+  shift
+  mkdir -p "$work/logs"
+  if ! "$@" >"$work/logs/$name" 2>&1; then
+    cat "$work/logs/$name" >&2
+    say "$name failed; the output above is in $work/logs/$name"
+    return 1
+  fi
+}
+
+# apt-get with the system's package servers, but for sources and with lists and cache in the work folder.
+apt_sources() {
+  apt-get -q -o APT::Sandbox::User=root -o Dir::Etc::SourceList="$work/apt/sources.list" -o Dir::Etc::SourceParts="$work/apt/parts" \
+    -o Dir::State::Lists="$work/apt/lists" -o Dir::Cache="$work/apt/cache" "$@"
+}
+
+list_sources() {
+  rm -rf "$work/apt"
+  mkdir -p "$work/apt/parts" "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
+  touch "$work/apt/sources.list"
+  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+    [ ! -e "$file" ] || sed -n 's/^deb /deb-src /p' "$file" >>"$work/apt/sources.list"
+  done
+  for file in /etc/apt/sources.list.d/*.sources; do
+    [ ! -e "$file" ] || sed 's/^Types:.*/Types: deb-src/' "$file" >"$work/apt/parts/$(basename "$file")"
+  done
+  # Servers of other vendors may have no sources: only required packages must be found.
+  apt_sources update || true
+}
+
+# unpacked PACKAGE: the folder of a source package. Debian's patches are applied, except OpenMesh's: they allow only shared libraries.
+unpack() {
+  mkdir -p "$work/sources/$1"
+  cd "$work/sources/$1"
+  apt_sources source --download-only "$1"
+  rm -rf tree
+  case $1 in
+    openmesh) dpkg-source --skip-patches -x ./*.dsc tree ;;
+    *) dpkg-source -x ./*.dsc tree ;;
+  esac
+}
+
+# with_cmake PACKAGE OPTION...: builds and installs a package by its own CMakeLists.txt.
+with_cmake() {
+  package=$1
+  shift
+  log "$package-sources" unpack "$package"
+  log "$package-configure" cmake -S "$work/sources/$package/tree" -B "$work/build/$package" -G Ninja $toolchain \
+    -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF \
+    -DCMAKE_POLICY_VERSION_MINIMUM=3.5 "$@"
+  log "$package-build" cmake --build "$work/build/$package" --target install -j "$jobs"
+}
+
+# with_make PACKAGE LIBRARY HEADER-FOLDER VARIABLE...: builds a library by the package's own Makefile.
+with_make() {
+  package=$1 library=$2 headers=$prefix/include/$3
+  shift 3
+  log "$package-sources" unpack "$package"
+  log "$package-build" make -j "$jobs" -C "$work/sources/$package/tree" "lib$library.a" CC=$host-gcc-posix CXX=$host-g++-posix AR=$host-ar \
+    PKG_CONFIG=true "$@"
+  mkdir -p "$headers" "$prefix/lib/pkgconfig"
+  cp "$work/sources/$package/tree"/*.h "$headers"
+  cp "$work/sources/$package/tree/lib$library.a" "$prefix/lib"
+  printf 'Name: %s\nDescription: %s\nVersion: %s\nLibs: -L%s -l%s\nCflags: -I%s\n' "$library" "$library" \
+    "$(dpkg-parsechangelog -l "$work/sources/$package/tree/debian/changelog" -S Version | sed 's/[+~-].*//')" \
+    "$prefix/lib" "$library" "$headers" >"$prefix/lib/pkgconfig/$library.pc"
+}
+
+dependencies() {
+  [ ! -e "$prefix/complete" ] || return 0
+  say "fetching and building the dependencies"
+  log sources list_sources
+  with_cmake glm -DGLM_TEST_ENABLE=OFF -DGLM_BUILD_TESTS=OFF
+  with_cmake eigen3 -DEIGEN_BUILD_DOC=OFF -DEIGEN_BUILD_TESTING=OFF
+  with_cmake highway -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF
+  with_cmake cli11 -DCLI11_BUILD_TESTS=OFF -DCLI11_BUILD_EXAMPLES=OFF
+  with_cmake nlohmann-json3 -DJSON_BuildTests=OFF
+  with_cmake doctest -DDOCTEST_WITH_TESTS=OFF
+  with_cmake glfw3 -DGLFW_BUILD_DOCS=OFF -DGLFW_BUILD_TESTS=OFF -DGLFW_BUILD_EXAMPLES=OFF
+  with_cmake openmesh -DBUILD_APPS=OFF -DOPENMESH_BUILD_UNIT_TESTS=OFF -DOPENMESH_DOCS=OFF
+  with_make libstb stb stb CFLAGS=-O2 SRCS="stb_image.c stb_image_write.c stb_rect_pack_truetype.c"
+  with_make imgui imgui imgui CXXFLAGS="-O2 -I$prefix/include" SRCS="imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp"
+  echo "Requires: stb" >>"$prefix/lib/pkgconfig/imgui.pc"
+  cp -r /usr/include/GL /usr/include/KHR "$prefix/include"
+  touch "$prefix/complete"
+}
+
+# An icon of several sizes, from the picture of the desktop's menus.
+icon() {
+  for size in 16 32 48 256; do rsvg-convert -w $size -h $size "$here/assets/desktop/viete.svg" -o "$work/icon-$size.png"; done
+  icotool -c -o "$work/viete.ico" "$work"/icon-*.png
+}
+
+compile() {
+  log viete-configure cmake -S "$here" -B "$work/build/viete" -G Ninja $toolchain -DVIETE_BUILD_TESTS="$1" -DVIETE_BUILD_PYTHON=OFF \
+    -DVIETE_KERNELS=all -DVIETE_WERROR=ON -DVIETE_ICON="$work/viete.ico" \
+    -DCMAKE_INSTALL_BINDIR=. -DCMAKE_INSTALL_DATADIR=share -DCMAKE_INSTALL_DOCDIR=share/doc
+  shift
+  log viete-build cmake --build "$work/build/viete" -j "$jobs" --target "$@"
+}
+
+# The fonts of the window, and the licences of everything in the package.
+add_fonts_and_licences() {
+  for font in opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf truetype/jetbrains-mono/JetBrainsMono-Regular.ttf; do
+    [ ! -e "/usr/share/fonts/$font" ] || install -D -m 644 "/usr/share/fonts/$font" "$1/share/fonts/$font"
+  done
+  install -D -m 644 "$here/LICENSE" "$1/LICENSE.txt"
+  for source in "$work"/sources/*; do
+    install -D -m 644 "$source/tree/debian/copyright" "$1/share/licences/$(basename "$source").txt"
+  done
+  for package in fonts-inter fonts-jetbrains-mono; do
+    [ ! -e "/usr/share/doc/$package/copyright" ] || install -D -m 644 "/usr/share/doc/$package/copyright" "$1/share/licences/$package.txt"
+  done
+}
+
+pack() {
+  version=$(sed -n 's/^project(viete VERSION \([0-9.]*\).*/\1/p' "$here/CMakeLists.txt")
+  name=viete-$version-win64
+  rm -rf "${work:?}/$name"
+  log viete-install cmake --install "$work/build/viete" --prefix "$work/$name" --component viewer --strip
+  rm -rf "${work:?}/$name/share/doc"
+  add_fonts_and_licences "$work/$name"
+  (cd "$work" && cmake -E tar cf "$name.zip" --format=zip "$name")
+  say "created $work/$name.zip"
+}
+
+toolchain="-DCMAKE_TOOLCHAIN_FILE=$here/third_party/cmake/windows.cmake -DVIETE_WINDOWS_PREFIX=$prefix -DCMAKE_BUILD_TYPE=Release"
+dependencies
+icon
+say "building the program"
+if [ "${2:-}" = tests ]; then
+  compile ON all_for_windows
+else
+  compile OFF viete viete-console viete-bench
+  pack
+fi
