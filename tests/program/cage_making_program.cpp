@@ -72,7 +72,7 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
       return y;
     };
     const float bottom = v.origin.y + v.size.y, offer = bottom - workspace::offer_height(d.workspace());
-    const auto beside = d.viewer().recorder().find("open_cage_beside");
+    const auto beside = d.recorder().find("open_cage_beside");
     REQUIRE(beside);
     CHECK(beside->y0 - 94 < offer);  // three lines of text are above the button
     CHECK(offer < beside->y0 - 60);
@@ -94,7 +94,7 @@ TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   d.check_encloses();
   CHECK(d.document().cage()->element_count() == 200);
   CHECK(test::edit_count(d.document().history()) == 1);
-  CHECK_FALSE(d.viewer().recorder().find("hide_cage_offer"));
+  CHECK_FALSE(d.recorder().find("hide_cage_offer"));
   d.click("finish_cage");
   CHECK_FALSE(d.workspace().making.open);
   d.pull_vertex();
@@ -105,7 +105,7 @@ TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   d.press_key('Z', true);
   CHECK_FALSE(d.document().has_cage());
   d.frame(2);
-  CHECK(d.viewer().recorder().find("hide_cage_offer"));
+  CHECK(d.recorder().find("hide_cage_offer"));
   d.press_key('Z', true, true);
   d.press_key('Z', true, true);
   d.frame(2);
@@ -140,7 +140,7 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
   bool stays = true;
   SUBCASE("done") {
     d.click("finish_cage");
-    CHECK_FALSE(d.viewer().recorder().find("finish_cage"));
+    CHECK_FALSE(d.recorder().find("finish_cage"));
     stays = false;
   }
   SUBCASE("stopped") {
@@ -176,11 +176,11 @@ TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   d.frame(3);
   CHECK(d.document().cage() != cage);
   CHECK(d.document().cage_file().path.empty());
-  CHECK(d.viewer().recorder().find("making_lost"));  // the key no longer exists
+  CHECK(d.recorder().find("making_lost"));  // the key no longer exists
   d.press_key('Z', true);
   d.frame(2);
   CHECK(d.document().timeline().keys.size() == 1);
-  CHECK_FALSE(d.viewer().recorder().find("making_lost"));
+  CHECK_FALSE(d.recorder().find("making_lost"));
   CHECK(d.document().cage() == cage);
   CHECK(d.document().pose().positions == pose);
   CHECK_FALSE(d.document().cage_file().path.empty());

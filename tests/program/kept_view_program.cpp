@@ -131,7 +131,7 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   d.frame(2);
   d.type("wire");
   d.frame(2);
-  CHECK(d.viewer().recorder().find("palette/toggle_wireframe"));
+  CHECK(d.recorder().find("palette/toggle_wireframe"));
   CHECK(d.viewer().views_drawn() == views);
   d.press_key(workspace::Key::enter);
   d.frame();

@@ -20,7 +20,7 @@ using test::Driver;
 namespace {
 
 void choose_map(Driver& d, const char* word) {
-  if (!d.viewer().recorder().find("map")) d.click("section/Map");
+  if (!d.recorder().find("map")) d.click("section/Map");
   d.choose("map", std::string("map_") + word);
   d.settle();
 }
@@ -262,8 +262,8 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.press_key('Y', false, false, true);
   d.settle();
   REQUIRE(d.workspace().view.vertex.vertex);
-  REQUIRE(d.viewer().recorder().find("drop_vertex"));
-  CHECK(d.viewer().recorder().find("drop_vertex")->visible);
+  REQUIRE(d.recorder().find("drop_vertex"));
+  CHECK(d.recorder().find("drop_vertex")->visible);
   const double degrees = d.workspace().view.vertex.degrees;
   d.press_key(workspace::key('R'), true);  // resets the pose
   document::reset_pose(d.document());

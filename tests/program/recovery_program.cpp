@@ -69,7 +69,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
     CHECK(d.workspace().recovery.files.size() == 2);
     d.click("put_off_leftovers");
     d.frame(3);
-    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
+    CHECK_FALSE(d.recorder().find("restore_leftover"));
     CHECK(sessions() == 2);
     d.press_key(workspace::key('B'), true);
     d.frame(3);
@@ -82,7 +82,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
     d.frame(3);
     d.click("question_save");
     d.frame(3);
-    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
+    CHECK_FALSE(d.recorder().find("restore_leftover"));
   }
   CHECK(kept_files(state).empty());
 }

@@ -137,7 +137,7 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
 TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   test::SmallScene small(Driver::default_options());
   Driver& d = small.d;
-  const auto shows = [&](const char* widget) { return d.viewer().recorder().find(widget).has_value(); };
+  const auto shows = [&](const char* widget) { return d.recorder().find(widget).has_value(); };
   const auto& deformer = d.document().deformer();
   for (const auto preset : base::all_values<pose::Preset>()) {
     CAPTURE(base::entry_of(preset).word);
@@ -162,7 +162,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   Driver& d = small.d;
   const auto is_enabled = [&](const char* widget) {
     d.place_of(widget);
-    return d.viewer().recorder().find(widget)->enabled;
+    return d.recorder().find(widget)->enabled;
   };
   d.choose("weights", "weights_mean_value");
   d.settle();
@@ -182,7 +182,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   CHECK(weighting.radius < 0.25);
   d.choose("weights", "weights_biharmonic");
   d.settle();
-  CHECK_FALSE(d.viewer().recorder().find("radius"));
+  CHECK_FALSE(d.recorder().find("radius"));
 }
 
 TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_own") {

@@ -1,27 +1,27 @@
 // The keys of all keymaps, the list of keys, and help about keys and mouse.
 
-#include "program/driver.h"
 #include "support/text.h"
 #include "ui/help_overlay.h"
+#include "ui/panel_driver.h"
 
 using namespace viete;
-using test::Driver;
+using test::PanelDriver;
 
 namespace {
 
-void choose_preset(Driver& d, workspace::KeyPreset preset) {
+void choose_preset(PanelDriver& d, workspace::KeyPreset preset) {
   d.run(("keys_" + std::string(workspace::entry_of(preset).word)).c_str());
 }
 
-workspace::Keymap& keymap(Driver& d) {
+workspace::Keymap& keymap(PanelDriver& d) {
   return d.workspace().preferences.keymap;
 }
 
-std::string key_of(Driver& d, const char* command) {
+std::string key_of(PanelDriver& d, const char* command) {
   return workspace::text(keymap(d).of(*workspace::find_command(command)).first);
 }
 
-void open_list(Driver& d) {
+void open_list(PanelDriver& d) {
   d.choose("menu/Help", "menu/help");
   d.frame(2);
   REQUIRE(d.workspace().panels.key_list.open);
@@ -36,8 +36,7 @@ bool says(const std::vector<ui::MouseLine>& lines, const std::string& words) {
 }  // namespace
 
 TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
-  Driver d;
-  d.open_dragon();
+  PanelDriver d;
   open_list(d);
   d.click("keys_text");
   d.type("wireframe");
@@ -64,8 +63,7 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
 }
 
 TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes_a_key") {
-  Driver d;
-  d.open_dragon();
+  PanelDriver d;
   open_list(d);
   d.click("keys_text");
   d.type("undo");
@@ -90,8 +88,7 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
 }
 
 TEST_CASE("mouse_help_matches_the_preset") {
-  Driver d;
-  d.open_dragon();
+  PanelDriver d;
   choose_preset(d, workspace::KeyPreset::viewer);
   CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: orbit"));
   CHECK(says(ui::mouse_lines(keymap(d)), "Right drag: pan"));
