@@ -1,17 +1,11 @@
-// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and painting.
+// Mouse and keyboard: the gizmo, typed numbers, soft selection, mirror, sets and painting.
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "document/pose_edit.h"
-#include "interact/shaping.h"
-#include "pose/deformer.h"
 #include "program/driver.h"
-#include "support/edits.h"
-#include "support/folder.h"
 #include "support/grips.h"
 #include "support/pictures.h"
-#include "ui/panels.h"
 #include "workspace/pointer.h"
 
 using namespace viete;

@@ -1,4 +1,4 @@
-// Uses columns, menus, toasts and the palette by mouse and keys.
+// Preferences, menus of files, file dialogs and toasts by mouse and keys.
 #include <map>
 
 #include "document/record.h"
@@ -7,7 +7,6 @@
 #include "program/kept_work.h"
 #include "support/folder.h"
 #include "support/pictures.h"
-#include "workspace/menus.h"
 #include "workspace/preferences.h"
 #include "workspace/saving.h"
 
@@ -16,18 +15,9 @@ using test::Driver, test::remembering;
 
 namespace {
 
-bool is_seen(Driver& d, const std::string& widget) {
-  const auto rect = d.recorder().find(widget);
-  return rect && rect->visible;
-}
-
 glm::vec2 empty_place(Driver& d) {
   const auto& v = d.workspace().view.viewport;
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
-}
-
-workspace::PanelLayout& layout(Driver& d) {
-  return d.workspace().preferences.layout;
 }
 
 void open_cube(Driver& d, const std::filesystem::path& folder) {
@@ -103,7 +93,7 @@ TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   d.workspace().panels.has_user = true;
   d.press_key(workspace::Key::f2);
   d.frame(2);
-  CHECK(is_seen(d, "open_model"));
+  CHECK(d.is_seen("open_model"));
 }
 
 TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
@@ -146,7 +136,7 @@ TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
   d.open_dragon();
   CHECK_FALSE(d.open({folder / "none.ply"}));
   d.frame(2);
-  CHECK(is_seen(d, "toast/0"));
+  CHECK(d.is_seen("toast/0"));
   SUBCASE("it is put away") {
     d.click("toast/0/close");
     d.frame(2);
@@ -155,7 +145,7 @@ TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
   SUBCASE("a click shows the list") {
     d.click("toast/0");
     d.frame(2);
-    CHECK(is_seen(d, "message/0"));
+    CHECK(d.is_seen("message/0"));
     d.click("clear_messages");
     CHECK(d.workspace().messages.all().empty());
     d.press_key(workspace::Key::escape);

@@ -1,9 +1,5 @@
-// Widgets, dialogs and notices with simulated events. Esc cancels active widgets and closes popups.
-#include <imgui_internal.h>
-
-#include <tuple>
-
-#include "document/time_edit.h"
+// Clicks in file dialogs, measured methods and marked folds.
+#include "document/pose_edit.h"
 #include "program/driver.h"
 #include "support/folder.h"
 #include "support/pictures.h"

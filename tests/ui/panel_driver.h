@@ -48,7 +48,8 @@ public:
     for (int i = 0; i < count; ++i) draw();
   }
 
-  /// Returns the written texts in drawing order, separated by spaces. Clipped texts are contained.
+  /// Returns the written texts in drawing order, separated by spaces. Texts outside of the window are
+  /// missing.
   std::string text() const;
   bool says(const std::string& words) const { return text().find(words) != std::string::npos; }
 
