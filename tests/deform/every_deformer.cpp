@@ -32,7 +32,7 @@ TEST_CASE("every_deformer_keeps_rest_and_follows_similarities" * doctest::test_s
     const auto& rest = b.staged.model.positions;
     CHECK(largest_distance(b.staged.deform(rest_pose(*b.staged.cage)), rest) <
           1e-14 * b.staged.cage->diagonal);
-    for (int a = 0; a < 6; ++a) {
+    for (int a = 0; a < 6; ++a)
       for (int s = 0; s < 3; ++s) {
         const double angle = angles[a], scale = scales[s];
         const bool rigid = deformer.blend == Blend::mls_rigid;
@@ -41,7 +41,6 @@ TEST_CASE("every_deformer_keeps_rest_and_follows_similarities" * doctest::test_s
         CHECK(b.staged.error(map) < 5e-12);
         CHECK(difference(b, b.staged.pose(map)) < 1e-6);
       }
-    }
   }
 }
 

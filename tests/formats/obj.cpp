@@ -84,7 +84,7 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
 }
 
 TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
-  for (const char* end : {"\n", "\r\n", "\r"}) {
+  for (const char* end : {"\n", "\r\n", "\r"})
     for (const char* join : {"\\", " \\", "\\  ", " \\ \t "}) {
       const std::string next = join + std::string(end);
       std::string text;
@@ -104,7 +104,6 @@ TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
       CHECK(test::read_text(moved, "obj").surface.positions[2] == Point{1, 0, 5});
       CHECK(test::read_text(moved, "obj").attributes->normals[0] == Vec3{0, -1, 0});
     }
-  }
   CHECK(holds(test::refusal("v 0\\ \n0\\\r\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
 }
 

@@ -19,12 +19,11 @@ TEST_CASE("welding_closes_a_triangle_soup_and_keeps_numbering") {
   CHECK(summarize(soup).boundary_edges.size() == 3 * whole.triangles.size());
   CHECK(summarize(joined).closed());
   CHECK(joined.positions == soup.positions);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int i = 0; i < 3; ++i) {
       CHECK(joined.triangles[t][i] <= triangles[t][i]);
       CHECK(positions[joined.triangles[t][i]] == positions[triangles[t][i]]);
     }
-  }
 }
 
 TEST_CASE("disagreeing_faces_are_flipped_to_the_majority") {

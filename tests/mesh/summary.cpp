@@ -122,7 +122,7 @@ static Surface cube_with_a_corner_in_an_edge(double off, int first) {
 }
 
 TEST_CASE("a_corner_near_the_middle_of_an_edge_is_an_ordinary_corner") {
-  for (const double off : {0.0, 1e-12, 1e-6, 1e-3, -1e-3}) {
+  for (const double off : {0.0, 1e-12, 1e-6, 1e-3, -1e-3})
     for (int first = 0; first < 5; ++first) {
       CAPTURE(off);
       CAPTURE(first);
@@ -138,7 +138,6 @@ TEST_CASE("a_corner_near_the_middle_of_an_edge_is_an_ordinary_corner") {
         if (std::ranges::count(t, 8u)) largest = std::max(largest, area(s.positions, t));
       CHECK(largest > 0.9);
     }
-  }
 }
 
 TEST_CASE("point_sets_have_a_summary") {

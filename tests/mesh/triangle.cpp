@@ -15,12 +15,11 @@ Vec3 point(const Closest& c, const Vec3& a, const Vec3& b, const Vec3& d) {
 double sampled(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr int n = 60;
   double best = HUGE_VAL;
-  for (int i = 0; i <= n; ++i) {
+  for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const double s = double(i) / n, t = double(j) / n;
       best = std::min(best, norm(p - ((1 - s - t) * a + s * b + t * c)));
     }
-  }
   return best;
 }
 
@@ -64,14 +63,13 @@ TEST_CASE("a_triangle_without_area_is_a_segment_or_a_point") {
 
 TEST_CASE("distance_scales_with_the_scene_from_1e-30_to_1e30") {
   test::Random random(4);
-  for (const double s : {1e-30, 1e-10, 1e10, 1e30}) {
+  for (const double s : {1e-30, 1e-10, 1e10, 1e30})
     for (int n = 0; n < 50; ++n) {
       const Vec3 a = random.vector(1), b = random.vector(1), c = random.vector(1), p = random.vector(2);
       const double d = std::sqrt(closest_on_triangle(p, a, b, c).squared_distance);
       CHECK(std::sqrt(closest_on_triangle(s * p, s * a, s * b, s * c).squared_distance) ==
             doctest::Approx(s * d).epsilon(1e-9));
     }
-  }
 }
 
 TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
@@ -133,14 +131,13 @@ TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
 TEST_CASE("orientation_is_exact_where_rounding_decides") {
   // The coordinates of p are near 0.5, in steps of e. The determinant 12 * (j - i) * e is tiny.
   const double e = 0x1p-53;
-  for (int i = -8; i <= 8; ++i) {
+  for (int i = -8; i <= 8; ++i)
     for (int j = -8; j <= 8; ++j) {
       const Point2 p{0.5 + i * e, 0.5 + j * e}, q{12, 12}, r{24, 24};
       CHECK(orientation(p, q, r) == (i < j) - (i > j));
       CHECK(orientation(Point{p[0], p[1], 0}, Point{12, 12, 0}, Point{24, 24, 0}, Point{1, 1, 1}) ==
             (i < j) - (i > j));
     }
-  }
 }
 
 namespace {
@@ -163,13 +160,10 @@ double sampled_distance(const Corners& s, const Corners& t) {
     const double u = i / double(n), v = j / double(n);
     return (1 - u - v) * c[0] + u * c[1] + v * c[2];
   };
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; i + j <= n; ++j) {
-      for (int k = 0; k <= n; ++k) {
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j)
+      for (int k = 0; k <= n; ++k)
         for (int l = 0; k + l <= n; ++l) least = std::min(least, norm(place(s, i, j) - place(t, k, l)));
-      }
-    }
-  }
   return least;
 }
 

@@ -38,22 +38,20 @@ TEST_CASE("a_map_takes_the_corners_of_its_element_to_their_posed_places") {
   for (auto& p : posed) p = p + random.vector(0.5);
   const auto maps = maps_of(cage, posed);
   const Vec3 origin = pose_origin(cage, posed);
-  for (std::size_t e = 0; e < maps.size(); ++e) {
+  for (std::size_t e = 0; e < maps.size(); ++e)
     for (const auto v : cage.surface.triangles[e]) {
       const Vec3 image =
           Affine{maps[e].linear, maps[e].center}(cage.surface.positions[v] - cage.centers[e]) + origin;
       CHECK(norm(image - posed[v]) < 1e-14);
     }
-  }
 }
 
 TEST_CASE("a_similarity_is_reproduced_off_the_plane_too") {
   const Cage cage = make_cage(box({1, 2, 3}));
   for (const double scale : {1e-3, 1.0, 1e3}) {
     const auto map = similarity({1, -1, 2}, 2.2, scale, {scale, 0, 0});
-    for (const auto& m : maps_of(cage, mapped(cage.surface.positions, map))) {
+    for (const auto& m : maps_of(cage, mapped(cage.surface.positions, map)))
       CHECK(largest_difference(m.linear, map.linear) < 1e-13 * scale);
-    }
   }
 }
 
@@ -63,9 +61,7 @@ TEST_CASE("orientation_of_an_element_does_not_change_its_map") {
   const Cage cage = make_cage(box()), turned = make_cage(viete::mesh::from_triangles(box().positions, t));
   const auto posed = mapped(cage.surface.positions, shear());
   const auto a = maps_of(cage, posed), b = maps_of(turned, posed);
-  for (std::size_t e = 0; e < a.size(); ++e) {
-    CHECK(largest_difference(a[e].linear, b[e].linear) < 1e-14);
-  }
+  for (std::size_t e = 0; e < a.size(); ++e) CHECK(largest_difference(a[e].linear, b[e].linear) < 1e-14);
 }
 
 TEST_CASE("elements_without_area_have_defined_maps") {
@@ -178,14 +174,13 @@ TEST_CASE("parts_that_turn_together_have_the_same_log_also_at_180_degrees") {
   const Cage cage = make_cage(surface);
   REQUIRE(cage.roots.size() == 3);
   Random random(8);
-  for (const double angle : {1.0, 90.0, 179.9999, 180.0, 180.0001, 270.0}) {
+  for (const double angle : {1.0, 90.0, 179.9999, 180.0, 180.0001, 270.0})
     for (int n = 0; n < 10; ++n) {
       const auto map = similarity(random.vector(1), angle * degree, 2, {1, 2, 3});
       const auto [logs, report] = logs_of(cage, mapped(surface.positions, map));
       for (const auto& l : logs) CHECK(norm(l.rotation - logs[0].rotation) < 1e-12);
       CHECK(report.torn.empty());
     }
-  }
 }
 
 TEST_CASE("winding_with_turns_passed_on_counts_to_720_degrees_and_back_to_zero") {

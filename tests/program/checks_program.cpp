@@ -50,12 +50,11 @@ struct Checked : test::SmallScene {
     d.settle();
     const auto picture = d.picture();
     int count = 0;
-    for (int y = 0; y < 760; ++y) {
+    for (int y = 0; y < 760; ++y)
       for (int x = 330; x < 1280; ++x) {
         const auto p = picture.pixel(x, y);
         count += p[0] > 190 && p[1] < 130 && p[2] > 90;
       }
-    }
     return count;
   }
 };

@@ -159,12 +159,11 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
     d.frame(2);
     const render::Image picture = d.picture();
     int count = 0;
-    for (int y = 0; y < picture.height - 30; ++y) {
+    for (int y = 0; y < picture.height - 30; ++y)
       for (int x = 330; x < picture.width - 330; ++x) {
         const auto p = picture.pixel(x, y);
         count += p[0] > 200 && p[1] > 130 && p[1] < 210 && p[2] < 90;
       }
-    }
     return count;
   };
   CHECK(amber() == 0);

@@ -85,9 +85,8 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   const glm::ivec2 at(d.on_screen(after[farthest]));
   const auto picture = d.picture();
   int changed = 0;
-  for (int y = at.y - 12; y <= at.y + 12; ++y) {
+  for (int y = at.y - 12; y <= at.y + 12; ++y)
     for (int x = at.x - 12; x <= at.x + 12; ++x) changed += picture.pixel(x, y) != picture_before.pixel(x, y);
-  }
   CHECK(changed > 20);
 }
 

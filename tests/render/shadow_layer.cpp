@@ -48,13 +48,12 @@ TEST_CASE("squares_of_a_shadow_cover_all_that_is_dark") {
   const GroundShadow shadow = render::ground_shadow(square(0, 0, 0.1F), 1);
   constexpr int side = GroundShadow::square;
   CHECK(shadow.squares.size() < std::size_t(shadow.width / side) * std::size_t(shadow.height / side));
-  for (int y = 0; y < shadow.height; ++y) {
+  for (int y = 0; y < shadow.height; ++y)
     for (int x = 0; x < shadow.width; ++x) {
       if (shadow.darkness[static_cast<std::size_t>(y) * shadow.width + x] < 2) continue;
       const std::array<std::uint32_t, 2> square{std::uint32_t(x / side), std::uint32_t(y / side)};
       CHECK(std::ranges::count(shadow.squares, square) == 1);
     }
-  }
 }
 
 TEST_CASE("points_are_spread_over_triangles_by_their_areas") {

@@ -91,12 +91,11 @@ TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belong
   scene.stage.view.projection = shift * scene.stage.view.projection;
   const render::Image shifted = scene.picture();
   std::size_t differing = 0;
-  for (int y = 0; y < 200; ++y) {
+  for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 240; ++x) {
       const int change = test::brightness(shifted.pixel(x, y)) - test::brightness(middle.pixel(x + 80, y));
       differing += std::abs(change) > 6 ? 1 : 0;
     }
-  }
   CHECK(test::count_not_black(middle) > 5000);
   CHECK(differing < 50);
 }
@@ -177,7 +176,7 @@ struct Card : Scene {
                {{0, 1, 2}, {0, 2, 3}}}) {
     looks.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
     render::Image image{64, 64, {}};
-    for (int y = 0; y < 64; ++y) {
+    for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x) {
         const bool right = x >= 32, lower = y >= 32;
         const std::uint8_t opacity = right && lower ? 0 : 255;
@@ -185,7 +184,6 @@ struct Card : Scene {
                                     std::uint8_t(lower ? 230 : 20), opacity};
         image.rgba.insert(image.rgba.end(), all, all + 4);
       }
-    }
     looks.images = {image};
     looks.runs = {{.triangles = 2, .image = 0}};
   }
@@ -199,9 +197,8 @@ struct Card : Scene {
 };
 
 bool mostly(const render::Rgba8& pixel, std::size_t channel) {
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k)
     if (k != channel && 2 * pixel[k] > pixel[channel]) return false;
-  }
   return pixel[channel] > 60;
 }
 

@@ -114,7 +114,7 @@ TEST_CASE("no_button_passes_through_a_dialog") {
     d.open(dialog);
     const std::string before = unlocked_state(d);
     const bool closes = std::string_view(dialog) == "command_palette";  // by a click beside it
-    for (const int button : {0, 1, 2}) {
+    for (const int button : {0, 1, 2})
       for (const glm::vec2& at : {column, view}) {
         d.drag(at, at + glm::vec2(20, 9), button);
         d.wheel(1);
@@ -124,7 +124,6 @@ TEST_CASE("no_button_passes_through_a_dialog") {
           d.open(dialog);
         }
       }
-    }
     d.close();
   }
 }

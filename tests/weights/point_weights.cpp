@@ -218,7 +218,7 @@ TEST_CASE("towards_vertex_edge_and_face_weights_stay_exact_and_reach_the_limit")
   const Vec3 inward{0.3, 0.2, -1};
   for (const Vec3& limit : {x[4], 0.5 * (x[t[0]] + x[t[1]]), (1.0 / 3) * (x[t[0]] + x[t[1]] + x[t[2]])}) {
     const auto on = at(cage, limit).weights;
-    for (double d = 1e-2; d > 1e-18; d /= 10) {
+    for (double d = 1e-2; d > 1e-18; d /= 10)
       for (const double side : {1.0, -1.0}) {
         const Vec3 p = limit + (side * d) * inward;
         const Answer a = at(cage, p);
@@ -227,7 +227,6 @@ TEST_CASE("towards_vertex_edge_and_face_weights_stay_exact_and_reach_the_limit")
         for (std::size_t i = 0; i < on.size(); ++i)
           CHECK(std::abs(a.weights[i] - on[i]) < 20 * d * (1 - std::log(d)) + 1e-12);
       }
-    }
   }
 }
 
