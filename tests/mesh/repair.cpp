@@ -45,16 +45,7 @@ TEST_CASE("inside_out_surfaces_stay_and_components_are_oriented_separately") {
 }
 
 TEST_CASE("moebius_strip_stays_unchanged") {
-  // A band of six quads, closed with a twist.
-  std::vector<Point> positions;
-  std::vector<Triangle> triangles;
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
-    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
-    triangles.push_back({a, c, b});
-    triangles.push_back({b, c, d});
-  }
-  const Surface strip = from_triangles(positions, triangles);
+  const Surface strip = test::moebius_strip();
   CHECK(!summarize(strip).oriented());
   CHECK(consistently_oriented(strip).triangles == strip.triangles);
   CHECK(one_sided(strip).triangles.empty());

@@ -9,7 +9,7 @@
 #include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver;
+using test::Dragon, test::Driver;
 
 namespace {
 
@@ -166,8 +166,7 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
 }
 
 TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
-  Driver d;
-  d.open_dragon("pose_alert");
+  Dragon d("pose_alert");
   const auto cage = d.document().cage();
   const auto pose = d.document().pose().positions;
   workspace::find_command("set_key")->run(d.workspace());
@@ -220,8 +219,7 @@ TEST_CASE("failed_cage_generation_shows_an_error_and_changes_nothing") {
 }
 
 TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_stays") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   const auto before = d.document().cage()->surface.positions;
   d.press_key(workspace::Key::tab);
   d.frame(3);

@@ -144,4 +144,13 @@ inline void Driver::open_dragon(const std::string& pose, const std::filesystem::
   settle();
 }
 
+/// The program with the dragon.
+struct Dragon : Driver {
+  explicit Dragon(const std::string& pose = "", std::optional<WithPixels> pixels = pictures_wanted())
+      : Driver(default_options(), pixels) {
+    open_dragon(pose);
+  }
+  Dragon(const std::string& pose, const std::filesystem::path& model) { open_dragon(pose, model); }
+};
+
 }  // namespace viete::test

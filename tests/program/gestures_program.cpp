@@ -14,12 +14,8 @@ using Kind = interact::Constraint::Kind;
 
 namespace {
 
-struct Hand : Driver {
-  explicit Hand(std::optional<test::WithPixels> pixels = pictures_wanted())
-      : Driver(default_options(), pixels) {
-    open_dragon();
-  }
-
+struct Hand : test::Dragon {
+  using Dragon::Dragon;
   // Returns the model in double precision. The model drawn in single precision must agree.
   std::vector<mesh::Point> mesh() {
     CHECK(drawn_error() < 2e-5);
@@ -113,7 +109,7 @@ TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_clic
 }
 
 TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is_shown_when_it_matters") {
-  Hand d(test::with_pixels);
+  Hand d("", test::with_pixels);
   const auto picture_at = [&](glm::vec2 pointer) {
     d.move(pointer);
     d.frame(3);
@@ -151,7 +147,7 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
 }
 
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
-  Hand d(test::with_pixels);
+  Hand d("", test::with_pixels);
   const auto selected = [&] { return d.document().selection().size(); };
   // Counts the pixels that have the colour of selected vertices.
   const auto amber = [&] {

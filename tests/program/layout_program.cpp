@@ -11,7 +11,7 @@
 #include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver, test::remembering;
+using test::Dragon, test::Driver, test::remembering;
 
 namespace {
 
@@ -82,8 +82,7 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
 }
 
 TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
-  Driver d(test::with_pixels);
-  d.open_dragon();
+  Dragon d("", test::with_pixels);
   d.press_key(workspace::Key::f2);
   d.settle();
   const auto with_line = d.picture();
@@ -132,8 +131,7 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
 
 TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
   const test::TemporaryFolder folder;
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   CHECK_FALSE(d.open({folder / "none.ply"}));
   d.frame(2);
   CHECK(d.is_seen("toast/0"));
@@ -157,8 +155,7 @@ TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
 TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unknown_formats_are_refused") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "a_folder");
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   d.workspace().files.saved.session = folder / "session.viete";  // exports suggest the folder of the session
   for (const char* name : {"first.obj", "second.obj"}) {
     d.press_key(workspace::key('P'), true, true);
@@ -239,8 +236,7 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
 
 TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_of_the_last_one") {
   const test::TemporaryFolder folder;
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
   document::Handling& hand = d.workspace().view.handling;
   hand.mirror = document::MirrorPlane::x;
@@ -262,8 +258,7 @@ TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_o
 }
 
 TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   for (const glm::ivec2 size : {glm::ivec2(1500, 1000), glm::ivec2(700, 420), glm::ivec2(1280, 700)}) {
     d.viewer().resize(size, 1);
     d.frame();

@@ -8,7 +8,7 @@
 #include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver;
+using test::Dragon, test::Driver;
 namespace fs = std::filesystem;
 
 namespace {
@@ -155,8 +155,7 @@ TEST_CASE("names_in_other_scripts_are_drawn_if_a_font_of_the_system_has_them") {
                        {"\u0639", "\u0641", {0x639, 0x641}},     // Arabic
                        {"\u4e2d", "\u56fd", {0x4e2d, 0x56fd}},   // Chinese, Japanese
                        {"\ud55c", "\uae00", {0xd55c, 0xae00}}};  // Korean
-  Driver d(test::with_pixels);
-  d.open_dragon();
+  Dragon d("", test::with_pixels);
   d.run("keep_pose");
   const auto shown = [&](const char* name) {
     document::rename_pose(d.document(), 0, name);

@@ -12,7 +12,7 @@
 #include "workspace/command_tables.h"
 
 using namespace viete;
-using test::Driver, test::largest_distance;
+using test::Dragon, test::Driver, test::largest_distance;
 
 namespace {
 
@@ -58,8 +58,7 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
 }
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
-  Driver d(test::with_pixels);
-  d.open_dragon();
+  Dragon d("", test::with_pixels);
   const auto rest = positions(d);
   CHECK(largest_distance(rest, rest_of(d)) < 1e-13 * diagonal(d));
   const auto picture_before = d.picture();
@@ -91,8 +90,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
 }
 
 TEST_CASE("the_four_methods_are_clicked_and_agree") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   const auto v = d.free_vertex();
   d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
   const auto reference = positions(d);
@@ -185,8 +183,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
 }
 
 TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_own") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   const auto start = d.workspace().view.camera.pose();
   d.move({160, 500});  // the pointer is over a panel
   d.wheel(-3);

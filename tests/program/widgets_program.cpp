@@ -5,7 +5,7 @@
 #include "support/pictures.h"
 
 using namespace viete;
-using test::Driver;
+using test::Dragon, test::Driver;
 namespace fs = std::filesystem;
 
 TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
@@ -49,8 +49,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   const test::TemporaryFolder folder;
   const std::string precious = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   test::put_file(folder / "precious.obj", precious);
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   workspace::FileBrowser& browser = d.workspace().files.browser;
   workspace::show(browser, workspace::FileBrowser::Purpose::save_model, folder.path(), "new.obj");
   d.frame(30);

@@ -199,4 +199,17 @@ inline void check_invariants(const Surface& s) {
   CHECK(finite);
 }
 
+/// Returns a band of six quads, closed with a twist.
+inline mesh::Surface moebius_strip() {
+  std::vector<mesh::Point> positions;
+  std::vector<mesh::Triangle> triangles;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
+    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
+    triangles.push_back({a, c, b});
+    triangles.push_back({b, c, d});
+  }
+  return mesh::from_triangles(positions, triangles);
+}
+
 }  // namespace viete::test
