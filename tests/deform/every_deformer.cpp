@@ -21,6 +21,12 @@ double difference(Frames& f, const Pose& pose) {
   return largest_distance(f.fused.positions(), f.staged.deform(pose)) / unit;
 }
 
+// Moves each vertex slightly, so that no result depends on a choice between equal candidates.
+mesh::Surface shaken(const mesh::Surface& surface, double by) {
+  Random random(11);
+  return mapped(surface, [&](const Vec3& x) { return x + by * random.vector(1); });
+}
+
 }  // namespace
 
 TEST_CASE("every_deformer_keeps_rest_and_follows_similarities" * doctest::test_suite(longer)) {
@@ -148,16 +154,6 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
     }
   }
 }
-
-namespace {
-
-// Moves each vertex slightly, so that no result depends on a choice between equal candidates.
-mesh::Surface shaken(const mesh::Surface& surface, double by) {
-  Random random(11);
-  return mapped(surface, [&](const Vec3& x) { return x + by * random.vector(1); });
-}
-
-}  // namespace
 
 TEST_CASE("rotating_model_cage_and_pose_rotates_the_result") {
   const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});

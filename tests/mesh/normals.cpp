@@ -14,6 +14,17 @@ std::vector<Point> normals_of(const Surface& s) {
   return normals;
 }
 
+// Rotates a point by 90 degrees about x, then moves the point along x.
+Point turned_about_x(const Point& p) {
+  return {p[0] + 1, -p[2], p[1]};
+}
+
+std::vector<Point> turned(const std::vector<Point>& points) {
+  std::vector<Point> all;
+  for (const Point& p : points) all.push_back(turned_about_x(p));
+  return all;
+}
+
 }  // namespace
 
 TEST_CASE("normals_of_a_sphere_point_outward_at_every_scale") {
@@ -85,21 +96,6 @@ TEST_CASE("rotation_rotates_normals_that_lean_from_their_faces") {
   for (std::size_t i = 0; i < normals.size(); ++i)
     CHECK(norm(moved[i] - Vec3{-normals[i][1], normals[i][0], normals[i][2]}) < 1e-13);
 }
-
-namespace {
-
-// Rotates a point by 90 degrees about x, then moves the point along x.
-Point turned_about_x(const Point& p) {
-  return {p[0] + 1, -p[2], p[1]};
-}
-
-std::vector<Point> turned(const std::vector<Point>& points) {
-  std::vector<Point> all;
-  for (const Point& p : points) all.push_back(turned_about_x(p));
-  return all;
-}
-
-}  // namespace
 
 TEST_CASE("equal_normals_of_vertices_at_one_place_stay_equal") {
   Surface two;  // two squares; their common edge has two copies of its vertices

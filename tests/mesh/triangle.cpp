@@ -23,6 +23,56 @@ double sampled(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   return best;
 }
 
+// Returns six times the signed volume, exactly. Coordinates must be integers below 2^20.
+__int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
+  __int128 m[3][3];
+  for (int k = 0; k < 3; ++k) {
+    m[0][k] = static_cast<__int128>(b[k]) - static_cast<__int128>(a[k]);
+    m[1][k] = static_cast<__int128>(c[k]) - static_cast<__int128>(a[k]);
+    m[2][k] = static_cast<__int128>(d[k]) - static_cast<__int128>(a[k]);
+  }
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+std::mt19937_64 pair_engine(5);
+
+// Returns a triangle on a coarse lattice. Contacts, common edges and common planes are frequent there.
+Corners lattice_triangle(int size) {
+  std::uniform_int_distribution<int> number(0, size);
+  Corners t;
+  for (Point& p : t) p = {1.0 * number(pair_engine), 1.0 * number(pair_engine), 1.0 * number(pair_engine)};
+  return t;
+}
+
+// Returns the smallest distance between points of grids on the triangles.
+double sampled_distance(const Corners& s, const Corners& t) {
+  constexpr int n = 12;
+  double least = HUGE_VAL;
+  const auto place = [](const Corners& c, int i, int j) {
+    const double u = i / double(n), v = j / double(n);
+    return (1 - u - v) * c[0] + u * c[1] + v * c[2];
+  };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j)
+      for (int k = 0; k <= n; ++k)
+        for (int l = 0; k + l <= n; ++l) least = std::min(least, norm(place(s, i, j) - place(t, k, l)));
+  return least;
+}
+
+bool segment_through(const Point& p, const Point& q, const Corners& t) {
+  const auto a = volume_of(t[0], t[1], t[2], p), b = volume_of(t[0], t[1], t[2], q);
+  if ((a > 0) == (b > 0) || a == 0 || b == 0) return false;
+  const auto u = volume_of(p, q, t[0], t[1]), v = volume_of(p, q, t[1], t[2]),
+             w = volume_of(p, q, t[2], t[0]);
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+bool in_one_plane(const Corners& s, const Corners& t) {
+  return std::ranges::all_of(t, [&](const Point& p) { return volume_of(s[0], s[1], s[2], p) == 0; });
+}
+
 }  // namespace
 
 TEST_CASE("distance_agrees_with_a_sampled_triangle_on_both_sides") {
@@ -84,23 +134,6 @@ TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
   }
 }
 
-namespace {
-
-// Returns six times the signed volume, exactly. Coordinates must be integers below 2^20.
-__int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
-  __int128 m[3][3];
-  for (int k = 0; k < 3; ++k) {
-    m[0][k] = static_cast<__int128>(b[k]) - static_cast<__int128>(a[k]);
-    m[1][k] = static_cast<__int128>(c[k]) - static_cast<__int128>(a[k]);
-    m[2][k] = static_cast<__int128>(d[k]) - static_cast<__int128>(a[k]);
-  }
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-}  // namespace
-
 TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
   std::mt19937_64 random(3);
   std::uniform_int_distribution<int> small(-3, 3), large(-(1 << 19), 1 << 19);
@@ -139,47 +172,6 @@ TEST_CASE("orientation_is_exact_where_rounding_decides") {
             (i < j) - (i > j));
     }
 }
-
-namespace {
-
-std::mt19937_64 pair_engine(5);
-
-// Returns a triangle on a coarse lattice. Contacts, common edges and common planes are frequent there.
-Corners lattice_triangle(int size) {
-  std::uniform_int_distribution<int> number(0, size);
-  Corners t;
-  for (Point& p : t) p = {1.0 * number(pair_engine), 1.0 * number(pair_engine), 1.0 * number(pair_engine)};
-  return t;
-}
-
-// Returns the smallest distance between points of grids on the triangles.
-double sampled_distance(const Corners& s, const Corners& t) {
-  constexpr int n = 12;
-  double least = HUGE_VAL;
-  const auto place = [](const Corners& c, int i, int j) {
-    const double u = i / double(n), v = j / double(n);
-    return (1 - u - v) * c[0] + u * c[1] + v * c[2];
-  };
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j)
-      for (int k = 0; k <= n; ++k)
-        for (int l = 0; k + l <= n; ++l) least = std::min(least, norm(place(s, i, j) - place(t, k, l)));
-  return least;
-}
-
-bool segment_through(const Point& p, const Point& q, const Corners& t) {
-  const auto a = volume_of(t[0], t[1], t[2], p), b = volume_of(t[0], t[1], t[2], q);
-  if ((a > 0) == (b > 0) || a == 0 || b == 0) return false;
-  const auto u = volume_of(p, q, t[0], t[1]), v = volume_of(p, q, t[1], t[2]),
-             w = volume_of(p, q, t[2], t[0]);
-  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-}
-
-bool in_one_plane(const Corners& s, const Corners& t) {
-  return std::ranges::all_of(t, [&](const Point& p) { return volume_of(s[0], s[1], s[2], p) == 0; });
-}
-
-}  // namespace
 
 TEST_CASE("triangle_crossing_on_a_lattice_agrees_with_integer_arithmetic") {
   int crossing = 0, apart = 0;

@@ -24,6 +24,53 @@ viete::mesh::Surface flat_element() {
   return viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
 }
 
+// Returns rotations by at most 180 degrees, multiplied by stretches from 0.5 to 2.
+std::vector<AffineMap> maps(std::size_t count) {
+  Random random(3);
+  std::vector<AffineMap> all(count);
+  for (auto& map : all) {
+    const Matrix rotation = viete::sym3::exp_rotation(random.vector(1.8)),
+                 axes = viete::sym3::exp_rotation(random.vector(1.8));
+    const Vec3 s{random(0.5, 2), random(0.5, 2), random(0.5, 2)};
+    map.linear = times(times(rotation, times(axes, diagonal(s))), transposed(axes));
+  }
+  return all;
+}
+
+std::array<double, 6> six(const viete::sym3::Sym3<double>& s) {
+  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+}
+
+struct Logs {
+  std::vector<MapLog> logs;
+  LogReport report;
+};
+
+Logs logs_of(const Cage& cage, const std::vector<AffineMap>& maps, const std::vector<Vec3>& turns = {}) {
+  std::vector<MapSplit> splits(maps.size());
+  split_maps(maps, first(maps.size()), splits);
+  Logs result{std::vector<MapLog>(maps.size()), {}};
+  log_maps(cage, maps, splits, turns, result.logs, result.report);
+  return result;
+}
+
+Logs logs_of(const Cage& cage, const std::vector<viete::mesh::Point>& posed,
+             const std::vector<Vec3>& turns = {}) {
+  return logs_of(cage, maps_of(cage, posed), turns);
+}
+
+double angle_from(const Vec3& y, const Vec3& axis) {
+  return dot(y, axis) / norm(axis) / degree;
+}
+
+double determinant(const Matrix& m) {
+  return dot({m[0], m[1], m[2]}, cross({m[3], m[4], m[5]}, {m[6], m[7], m[8]}));
+}
+
+Matrix stretch(const Polar& p) {
+  return times(times(p.axes, diagonal(p.stretches)), transposed(p.axes));
+}
+
 }  // namespace
 
 TEST_CASE("unmoved_elements_have_exactly_the_identity") {
@@ -73,27 +120,6 @@ TEST_CASE("elements_without_area_have_defined_maps") {
   CHECK(maps[1].linear == unity);
 }
 
-namespace {
-
-// Returns rotations by at most 180 degrees, multiplied by stretches from 0.5 to 2.
-std::vector<AffineMap> maps(std::size_t count) {
-  Random random(3);
-  std::vector<AffineMap> all(count);
-  for (auto& map : all) {
-    const Matrix rotation = viete::sym3::exp_rotation(random.vector(1.8)),
-                 axes = viete::sym3::exp_rotation(random.vector(1.8));
-    const Vec3 s{random(0.5, 2), random(0.5, 2), random(0.5, 2)};
-    map.linear = times(times(rotation, times(axes, diagonal(s))), transposed(axes));
-  }
-  return all;
-}
-
-std::array<double, 6> six(const viete::sym3::Sym3<double>& s) {
-  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
-}
-
-}  // namespace
-
 TEST_CASE("splits_in_vector_code_agree_with_singular_values") {
   const auto all = maps(301);
   std::vector<MapSplit> splits(all.size());
@@ -130,32 +156,6 @@ TEST_CASE("a_split_detects_maps_that_mirror_or_are_not_finite") {
   CHECK(splits[0].least < 0);
   CHECK_FALSE(splits[1].least >= 0);
 }
-
-namespace {
-
-struct Logs {
-  std::vector<MapLog> logs;
-  LogReport report;
-};
-
-Logs logs_of(const Cage& cage, const std::vector<AffineMap>& maps, const std::vector<Vec3>& turns = {}) {
-  std::vector<MapSplit> splits(maps.size());
-  split_maps(maps, first(maps.size()), splits);
-  Logs result{std::vector<MapLog>(maps.size()), {}};
-  log_maps(cage, maps, splits, turns, result.logs, result.report);
-  return result;
-}
-
-Logs logs_of(const Cage& cage, const std::vector<viete::mesh::Point>& posed,
-             const std::vector<Vec3>& turns = {}) {
-  return logs_of(cage, maps_of(cage, posed), turns);
-}
-
-double angle_from(const Vec3& y, const Vec3& axis) {
-  return dot(y, axis) / norm(axis) / degree;
-}
-
-}  // namespace
 
 TEST_CASE("an_unmoved_cage_has_zero_logs_and_nothing_to_report") {
   const Cage cage = make_cage(tube(9, 7, 0.3, 2));
@@ -267,18 +267,6 @@ TEST_CASE("neighbours_turned_by_more_than_120_degrees_are_reported_as_torn") {
     CHECK(logs_of(cage, posed).report.torn.size() == count);
   }
 }
-
-namespace {
-
-double determinant(const Matrix& m) {
-  return dot({m[0], m[1], m[2]}, cross({m[3], m[4], m[5]}, {m[6], m[7], m[8]}));
-}
-
-Matrix stretch(const Polar& p) {
-  return times(times(p.axes, diagonal(p.stretches)), transposed(p.axes));
-}
-
-}  // namespace
 
 TEST_CASE("rotation_times_stretch_is_the_matrix") {
   Random random(6);

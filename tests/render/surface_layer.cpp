@@ -25,6 +25,40 @@ struct Scene {
   render::Theme theme = render::dark_theme();
 };
 
+// Two triangles, 16 units wide and high. The texture has a red, a green, a blue and a transparent quarter.
+struct Card : Scene {
+  Card()
+      : Scene({{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
+               std::vector<base::PackedNormal>(4),
+               {{0, 1, 2}, {0, 2, 3}}}) {
+    looks.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
+    render::Image image{64, 64, {}};
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const bool right = x >= 32, lower = y >= 32;
+        const std::uint8_t opacity = right && lower ? 0 : 255;
+        const std::uint8_t all[] = {std::uint8_t(right || lower ? 20 : 230), std::uint8_t(right ? 230 : 20),
+                                    std::uint8_t(lower ? 230 : 20), opacity};
+        image.rgba.insert(image.rgba.end(), all, all + 4);
+      }
+    looks.images = {image};
+    looks.runs = {{.triangles = 2, .image = 0}};
+  }
+
+  render::Image painted(render::Paint paint) {
+    surface.set_looks(looks);
+    return picture({.paint = paint});
+  }
+
+  render::SurfaceLooks looks;
+};
+
+bool mostly(const render::Rgba8& pixel, std::size_t channel) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (k != channel && 2 * pixel[k] > pixel[channel]) return false;
+  return pixel[channel] > 60;
+}
+
 }  // namespace
 
 TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
@@ -158,44 +192,6 @@ TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
   looks.runs = {{.triangles = 3}};
   CHECK_THROWS_AS(surface.set_looks(looks), base::Error);
 }
-
-namespace {
-
-// Two triangles, 16 units wide and high. The texture has a red, a green, a blue and a transparent quarter.
-struct Card : Scene {
-  Card()
-      : Scene({{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
-               std::vector<base::PackedNormal>(4),
-               {{0, 1, 2}, {0, 2, 3}}}) {
-    looks.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
-    render::Image image{64, 64, {}};
-    for (int y = 0; y < 64; ++y)
-      for (int x = 0; x < 64; ++x) {
-        const bool right = x >= 32, lower = y >= 32;
-        const std::uint8_t opacity = right && lower ? 0 : 255;
-        const std::uint8_t all[] = {std::uint8_t(right || lower ? 20 : 230), std::uint8_t(right ? 230 : 20),
-                                    std::uint8_t(lower ? 230 : 20), opacity};
-        image.rgba.insert(image.rgba.end(), all, all + 4);
-      }
-    looks.images = {image};
-    looks.runs = {{.triangles = 2, .image = 0}};
-  }
-
-  render::Image painted(render::Paint paint) {
-    surface.set_looks(looks);
-    return picture({.paint = paint});
-  }
-
-  render::SurfaceLooks looks;
-};
-
-bool mostly(const render::Rgba8& pixel, std::size_t channel) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (k != channel && 2 * pixel[k] > pixel[channel]) return false;
-  return pixel[channel] > 60;
-}
-
-}  // namespace
 
 TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
   Card card;

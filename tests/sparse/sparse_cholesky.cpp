@@ -84,6 +84,14 @@ void check_solution(const SparseMatrix& matrix) {
   }
 }
 
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+Columns as_eigen_columns(std::span<const Vec3> rows) {
+  Columns columns(rows.size(), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) columns.row(i) << rows[i][0], rows[i][1], rows[i][2];
+  return columns;
+}
+
 }  // namespace
 
 TEST_CASE("systems_are_solved_by_their_factors_on_every_instruction_set") {
@@ -141,18 +149,6 @@ TEST_CASE("a_factorisation_reports_progress_and_stops_when_cancelled") {
   progress.cancel();
   CHECK_THROWS_AS(factor(matrix, two, told(&progress, 0, 1)), base::Cancelled);
 }
-
-namespace {
-
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
-Columns as_eigen_columns(std::span<const Vec3> rows) {
-  Columns columns(rows.size(), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) columns.row(i) << rows[i][0], rows[i][1], rows[i][2];
-  return columns;
-}
-
-}  // namespace
 
 TEST_CASE("three_columns_are_solved_at_once_and_in_place") {
   base::WorkerPool pool(1);
