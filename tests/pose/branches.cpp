@@ -15,27 +15,6 @@ Edges path(std::uint32_t nodes) {
   return edges;
 }
 
-using Rotations = std::vector<sym3::Mat3<double>>;
-
-Rotations all(const Cage& cage, const Vec3& axis, double degrees) {
-  return Rotations(cage.element_count(), similarity(axis, degrees * degree).linear);
-}
-
-Branches branches_of(const Cage& cage, const Rotations& rotations, const std::vector<Vec3>& turns) {
-  std::vector<Vec3> principal;
-  for (const auto& r : rotations) principal.push_back(sym3::log_rotation(r));
-  return choose_branches(cage, rotations, principal, turns);
-}
-
-// Returns rotations about x by angles that grow along the tube, each followed by a rotation about z.
-Rotations bent(const Cage& cage, double degrees, double about_z) {
-  Rotations rotations;
-  for (const Vec3& center : cage.centers)
-    rotations.push_back(pose::times(similarity({0, 0, 1}, about_z * degree).linear,
-                                    similarity({1, 0, 0}, (10 + center[2] * degrees) * degree).linear));
-  return rotations;
-}
-
 }  // namespace
 
 TEST_CASE("the_centre_of_each_part_is_its_middle_and_the_lower_of_two") {
@@ -72,6 +51,22 @@ TEST_CASE("a_collapsed_triangle_joins_its_neighbours") {
 }
 
 using namespace viete;
+
+namespace {
+
+using Rotations = std::vector<sym3::Mat3<double>>;
+
+Rotations all(const Cage& cage, const Vec3& axis, double degrees) {
+  return Rotations(cage.element_count(), similarity(axis, degrees * degree).linear);
+}
+
+Branches branches_of(const Cage& cage, const Rotations& rotations, const std::vector<Vec3>& turns) {
+  std::vector<Vec3> principal;
+  for (const auto& r : rotations) principal.push_back(sym3::log_rotation(r));
+  return choose_branches(cage, rotations, principal, turns);
+}
+
+}  // namespace
 
 TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference") {
   const Vec3 n = (1 / std::sqrt(14.0)) * Vec3{1, 2, 3};
@@ -119,6 +114,19 @@ TEST_CASE("reference_turns_select_the_number_of_whole_turns") {
     CHECK(b.turns[0][2] == doctest::Approx((30 + 360 * k) * degree));
   }
 }
+
+namespace {
+
+// Returns rotations about x by angles that grow along the tube, each followed by a rotation about z.
+Rotations bent(const Cage& cage, double degrees, double about_z) {
+  Rotations rotations;
+  for (const Vec3& center : cage.centers)
+    rotations.push_back(pose::times(similarity({0, 0, 1}, about_z * degree).linear,
+                                    similarity({1, 0, 0}, (10 + center[2] * degrees) * degree).linear));
+  return rotations;
+}
+
+}  // namespace
 
 TEST_CASE("whole_turns_about_another_axis_are_kept_and_logs_are_coherent") {
   const Cage cage = make_cage(tube(9, 7, 0.3, 2));

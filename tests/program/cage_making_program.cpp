@@ -52,7 +52,6 @@ struct Maker : Driver {
   void pull_vertex() {
     const auto v = free_vertex();
     drag(vertex(v), vertex(v) + glm::vec2(40, -30));
-    frame(2);
   }
 };
 
@@ -108,7 +107,6 @@ TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   CHECK(d.recorder().find("hide_cage_offer"));
   d.press_key('Z', true, true);
   d.press_key('Z', true, true);
-  d.frame(2);
   d.viewer().finish_binding();
   d.frame(2);
   CHECK(d.document().cage() == cage);
@@ -129,7 +127,6 @@ TEST_CASE("cage_sliders_change_the_same_edit_and_cancel_undoes_it") {
   d.check_encloses();
   CHECK(test::edit_count(d.document().history()) == 1);
   d.click("cancel_cage");
-  d.frame(2);
   CHECK_FALSE(d.document().has_cage());
   CHECK_FALSE(d.document().history().can_undo());
 }
@@ -177,7 +174,6 @@ TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   CHECK(d.document().cage_file().path.empty());
   CHECK(d.recorder().find("making_lost"));  // the key no longer exists
   d.press_key('Z', true);
-  d.frame(2);
   CHECK(d.document().timeline().keys.size() == 1);
   CHECK_FALSE(d.recorder().find("making_lost"));
   CHECK(d.document().cage() == cage);
@@ -222,7 +218,6 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
   Dragon d;
   const auto before = d.document().cage()->surface.positions;
   d.press_key(workspace::Key::tab);
-  d.frame(3);
   const auto v = d.free_vertex();
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(40, -30));
   d.frame(2);
@@ -239,7 +234,6 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
   CHECK(d.document().cage()->surface.positions[v] != before[v]);
   d.press_key(workspace::Key::tab);
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(30, 20));
-  d.frame(2);
   CHECK(d.drawn_error() < 2e-5);
   while (d.document().history().can_undo()) d.press_key('Z', true);
   CHECK(d.document().cage()->surface.positions == before);

@@ -12,10 +12,8 @@ TEST_CASE("typing_in_a_file_list_filters_the_list") {
   for (const char* dialog : {"open_cage", "save_model"}) {
     CAPTURE(dialog);
     d.run(dialog);
-    d.frame(4);
     REQUIRE(ui::is_popup_open());
     d.click("file_list");  // the fields lose the focus
-    d.frame(2);
     d.type("ca");
     d.type("ge");
     CHECK(browser.filter == "cage");
@@ -24,7 +22,6 @@ TEST_CASE("typing_in_a_file_list_filters_the_list") {
     CHECK(workspace::shown(browser).empty());
     const std::string name = browser.path;
     d.press_key(workspace::Key::enter);  // must not save under the proposed name
-    d.frame(2);
     CHECK(browser.open);
     CHECK(std::filesystem::exists(name) == !browser.saves());
     for (int i = 0; i < 2; ++i) d.press_key(workspace::Key::backspace);
@@ -33,7 +30,6 @@ TEST_CASE("typing_in_a_file_list_filters_the_list") {
     CHECK(browser.filter.empty());
     CHECK(browser.folder == std::filesystem::weakly_canonical(scene.folder.path()));
     d.press_key(workspace::Key::escape);
-    d.frame(2);
   }
 }
 
@@ -54,7 +50,6 @@ TEST_CASE("preferences_change_scale_motion_autosave_and_list_recovered_edits") {
   w.recovery.files = {{folder / "a.viete", "first.obj", 1000, folder.path()},
                       {folder / "b.viete", "second.obj", 500, folder.path(), true}};  // restored once
   d.run("preferences");
-  d.frame(3);
   d.choose("preferences/scale", "preferences/scale/3");
   CHECK(w.preferences.scale == 1.5f);
   d.choose("preferences/scale", "preferences/scale/0");

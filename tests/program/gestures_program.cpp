@@ -187,7 +187,6 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.settle();
   const auto rest = d.document().model().surface->positions;
   d.press_key('D');
-  d.frame(2);
   CHECK_FALSE(workspace::gizmo_of(d.workspace()));
   const glm::vec2 middle = d.workspace().view.viewport.origin + 0.5f * d.workspace().view.viewport.size;
   d.move(middle);

@@ -50,7 +50,6 @@ void check_refused(Driver& d, const std::filesystem::path& file) {
   CHECK_FALSE(browser.problem.starts_with(file.string() + ": "));
   CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
   d.press_key(workspace::Key::escape);
-  d.frame(2);
   CHECK_FALSE(browser.open);
 }
 
@@ -64,7 +63,6 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
     d.click("section/Map");
     d.click("tab/methods");
     d.press_key(workspace::key('T'));
-    d.frame(2);
     d.workspace().jobs.wishes.add(workspace::CloseProgram{});
     d.frame(2);
   }
@@ -77,7 +75,6 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
   CHECK_FALSE(d.workspace().view.options.dark);
   CHECK_FALSE(d.recorder().find("method_diag"));
   d.click("tab/methods");
-  d.frame(2);
   CHECK(d.recorder().find("map"));
 }
 
@@ -91,7 +88,6 @@ TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   CHECK(test::difference(with_line, d.picture(), 0) > 0);
   d.workspace().panels.has_user = true;
   d.press_key(workspace::Key::f2);
-  d.frame(2);
   CHECK(d.is_seen("open_model"));
 }
 
@@ -109,7 +105,6 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
       const auto rect = d.recorder().find(std::string("menu/") + name);
       REQUIRE(rect);
       d.click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
-      d.frame(3);
     }
   };
   menu("Edit", "history");
@@ -118,7 +113,6 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   CHECK(recorder.find("history/10"));
   CHECK_FALSE(recorder.find("history/9"));
   d.click("history/45");
-  d.frame(2);
   CHECK(d.document().history().position() == 45);
   CHECK(workspace::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
   workspace::mark_saved(d.workspace());
@@ -137,17 +131,14 @@ TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
   CHECK(d.is_seen("toast/0"));
   SUBCASE("it is put away") {
     d.click("toast/0/close");
-    d.frame(2);
     CHECK_FALSE(d.recorder().find("toast/0"));
   }
   SUBCASE("a click shows the list") {
     d.click("toast/0");
-    d.frame(2);
     CHECK(d.is_seen("message/0"));
     d.click("clear_messages");
     CHECK(d.workspace().messages.all().empty());
     d.press_key(workspace::Key::escape);
-    d.frame(2);
     CHECK_FALSE(d.workspace().panels.show_messages);
   }
 }
@@ -159,23 +150,18 @@ TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unk
   d.workspace().files.saved.session = folder / "session.viete";  // exports suggest the folder of the session
   for (const char* name : {"first.obj", "second.obj"}) {
     d.press_key(workspace::key('P'), true, true);
-    d.frame(3);
     d.type((folder / name).string());
     d.press_key(workspace::Key::enter);
-    d.frame(2);
     CHECK(std::filesystem::exists(folder / name));
   }
   d.press_key(workspace::key('E'), true);
-  d.frame(3);
   d.type("arm.xyz");
   d.press_key(workspace::Key::enter);
-  d.frame(2);
   CHECK(d.workspace().files.browser.open);
   CHECK(d.workspace().files.browser.path == "arm.xyz");
   CHECK(d.recorder().find("file_problem"));
   d.click("format_ply");
   d.press_key(workspace::Key::enter);
-  d.frame(2);
   CHECK_FALSE(d.workspace().files.browser.open);
   d.viewer().finish_exports();
   CHECK(std::filesystem::exists(folder / "arm.ply"));
@@ -211,7 +197,6 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
   check_refused(d, top / "text.viete");
   CHECK(test::file_bytes(top / "text.viete") == "a text");
   d.run("save_animation");
-  d.frame(3);
   d.type((top / "f_##.obj").string());
   d.press_key(workspace::Key::enter);  // asks before it exports
   CHECK_FALSE(d.workspace().jobs.exporting.running);
@@ -219,7 +204,6 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
   CHECK(d.recorder().find("file_replaces"));
   CHECK(test::file_bytes(top / "f_01.obj") == "somebody else's");
   d.press_key(workspace::Key::enter);
-  d.frame(3);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK_FALSE(d.workspace().files.browser.open);
   CHECK(test::file_bytes(top / "f_01.obj") != "somebody else's");

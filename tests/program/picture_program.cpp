@@ -285,7 +285,6 @@ void show_making(Driver& d) {
   d.workspace().making.wish.kind = document::CageKind::box;
   d.workspace().making.wish.cells = {3, 2, 2};
   d.click("make_cage");
-  d.frame();
   d.finish_making();
   d.frame(3);
   d.move({1, 1});

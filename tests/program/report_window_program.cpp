@@ -28,14 +28,12 @@ TEST_CASE("a_report_is_measured_in_the_background_cancelled_and_opened_in_the_br
   Driver d(options);
   d.frame(3);
   d.click("show_report");
-  d.frame(2);
   REQUIRE(d.workspace().jobs.reporting.running);
   d.click("stop_report");  // after this click, no message is shown
   REQUIRE(d.until([&] { return !d.workspace().jobs.reporting.running; }));
   CHECK(d.workspace().messages.all().empty());
   CHECK(workspace::find_command("show_report")->enabled(d.workspace()));
   d.click("show_report");
-  d.frame();
   CHECK(d.workspace().jobs.reporting.running);
   REQUIRE(d.until([&] { return !d.workspace().jobs.reporting.running; }));
   setenv("PATH", path.c_str(), 1);

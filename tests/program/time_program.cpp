@@ -35,7 +35,6 @@ struct Timed : Driver {
     go_to(at);
     open_pose(file);
     press_key('I');
-    frame(2);
   }
   void type_weight(const char* percent) {
     click("pose_weight/0/typed");
@@ -108,7 +107,6 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   d.press_key(workspace::Key::right);
   CHECK(d.document().frame() == 1);  // the key has no effect while the timeline is hidden
   d.press_key('I');
-  d.frame(3);
   CHECK(d.recorder().find("time/track"));
   CHECK(d.workspace().messages.all().back().text == "Key set at frame 1.");
   d.press_key(workspace::Key::right);
@@ -173,7 +171,6 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   CHECK(document::key_at(d.timeline(), 30));
   CHECK_FALSE(document::key_at(d.timeline(), 24));
   d.click(d.on_track(30, keys), 1);
-  d.frame(3);
   d.click("key_menu/easing_hold");
   CHECK(document::key_at(d.timeline(), 30)->easing == Easing::hold);
   // While the pointer is over the timeline, Delete removes keys.

@@ -147,7 +147,6 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   }
   CHECK(test::edit_count(d.document().history()) == choices(pose::Preset{}).size());
   d.click("section/Custom deformer");
-  d.frame(2);
   d.choose("blend", "blend_linear");
   d.settle();
   CHECK_FALSE(pose::preset_of(deformer));

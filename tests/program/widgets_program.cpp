@@ -59,7 +59,6 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   CHECK(browser.path == browser.folder / "precious.obj");
   CHECK(d.recorder().find("file_replaces"));
   d.press_key(workspace::Key::enter);  // the first Enter warns; the second Enter confirms
-  d.frame(3);
   CHECK(browser.open);
   CHECK(test::file_bytes(folder / "precious.obj") == precious);
   d.press_key(workspace::Key::enter);

@@ -17,7 +17,8 @@
 
 namespace viete::test {
 
-/// Base of the drivers. Each event is followed by a frame.
+/// Base of the drivers. Each event is followed by a frame, and keys, clicks and commands by enough frames for
+/// the panels to settle.
 class UserInput {
 public:
   UserInput() = default;
@@ -49,8 +50,9 @@ public:
   void button(int code, bool down) { send(platform::InputEvent::button(code, down)); }
   void wheel(float steps) { send(platform::InputEvent::scroll(steps)); }
   void key(int code, bool down) { send(platform::InputEvent::key(code, down)); }
-  void type(const std::string& text) { send(platform::InputEvent::typed(text), 2); }
-  void press_key(int code, bool ctrl = false, bool shift = false, bool alt = false) {
+  void type(const std::string& text) { send(platform::InputEvent::typed(text), settling); }
+  /// Presses a key without frames after its release.
+  void tap(int code, bool ctrl = false, bool shift = false, bool alt = false) {
     if (ctrl) key(left_ctrl, true);
     if (shift) key(left_shift, true);
     if (alt) key(left_alt, true);
@@ -60,6 +62,10 @@ public:
     if (shift) key(left_shift, false);
     if (ctrl) key(left_ctrl, false);
   }
+  void press_key(int code, bool ctrl = false, bool shift = false, bool alt = false) {
+    tap(code, ctrl, shift, alt);
+    frame(settling);
+  }
   void press_key(workspace::Key k, bool ctrl = false, bool shift = false, bool alt = false) {
     press_key(static_cast<int>(k), ctrl, shift, alt);
   }
@@ -68,12 +74,12 @@ public:
     move(at);
     button(b, true);
     button(b, false);
-    frame();
+    frame(settling);
   }
   void drag(glm::vec2 from, glm::vec2 to, int b = 0) {
     press_and_move(from, to, b);
     button(b, false);
-    frame();
+    frame(settling);
   }
   void press_and_move(glm::vec2 from, glm::vec2 to, int b = 0) {
     move(from);
@@ -83,14 +89,13 @@ public:
 
   void run(const char* command) {
     workspace::find_command(command)->run(workspace());
-    frame(2);
+    frame(settling);
   }
   /// Scrolls until the widget is visible, and clicks its center.
   void click(const std::string& widget) { click(place_of(widget)); }
   /// Opens a list, and selects an entry.
   void choose(const std::string& chooser, const std::string& item) {
     click(chooser);
-    frame(2);
     const auto rect = recorder().find(item);  // the list can cover columns and the status bar
     if (!rect || !rect->visible) return click(item);
     click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
@@ -135,13 +140,11 @@ public:
   void select_whole_cage() {
     press_key('A');
     press_key('E');
-    frame(2);
     CHECK(document().selection().size() == pose().size());
   }
   void enter(const char* field, const char* number) {
     type_in(field, number);
     press_key(workspace::Key::enter);
-    frame(2);
   }
   void type_in(const char* field, const char* number) {
     click(field);
@@ -150,6 +153,7 @@ public:
   }
 
   static constexpr int left_ctrl = 341, left_shift = 340, left_alt = 342;
+  static constexpr int settling = 4;  ///< the number of frames after a key, a click or a command
 
 private:
   /// Unfolds columns until the widget exists.
@@ -160,7 +164,6 @@ private:
           workspace::shown_columns(workspace().preferences.layout, workspace().view.viewport.window.x);
       if ((methods ? shown.methods : shown.tools) > 0) continue;
       run(column);
-      frame();
       if (unfold_custom(widget)) return;
     }
   }

@@ -51,7 +51,6 @@ struct Dialogs : PanelDriver {
   }
   void close() {
     press_key(workspace::Key::escape);
-    frame(2);
     auto& w = workspace();
     if (!w.files.question) return;
     const auto* answer = w.jobs.wishes.find<workspace::AnswerQuestion>();
@@ -73,17 +72,14 @@ constexpr const char* dialogs[] = {"open_model",      "open_cage",  "open_pose",
 TEST_CASE("the_backspace_that_empties_a_filter_stays_in_the_folder") {
   PanelDriver d;
   d.run("open_model");
-  d.frame(3);
   const workspace::FileBrowser& browser = d.workspace().files.browser;
   const std::filesystem::path folder = browser.folder;
   d.type("a");
   CHECK(browser.filter == "a");
   d.press_key(workspace::Key::backspace);
-  d.frame(3);
   CHECK(browser.filter.empty());
   CHECK(browser.folder == folder);
   d.press_key(workspace::Key::backspace);
-  d.frame(3);
   CHECK(browser.folder == folder.parent_path());
 }
 
@@ -96,7 +92,7 @@ TEST_CASE("no_key_of_any_keymap_passes_through_a_dialog") {
     for (const char* dialog : dialogs) {
       scene.open(dialog);
       const std::string before = unlocked_state(scene);
-      for (const auto& key : keys) scene.press_key(key.key, key.ctrl, key.shift, key.alt);
+      for (const auto& key : keys) scene.tap(static_cast<int>(key.key), key.ctrl, key.shift, key.alt);
       CHECK_MESSAGE((unlocked_state(scene) == before), preset.word, ", ", dialog);
       scene.close();
     }

@@ -107,7 +107,6 @@ TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_
   CHECK(d.moved() == std::vector<std::uint32_t>{v});
   d.type("x");
   d.type("2");
-  d.frame();
   const auto is_applied = [&] { return std::abs(d.pose()[v][0] - d.rest()[v][0] - 2) < 1e-9; };
   CHECK(is_applied());
   CHECK(d.pose()[v][1] == d.rest()[v][1]);
@@ -142,13 +141,11 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   };
   d.move({760, 300});
   d.type("y");
-  d.frame();
   CHECK(d.workspace().view.interaction.drag->readout() == "Bend Y 30.0\u00b0");
   CHECK(is_bent(glm::dvec3(0, 1, 0), 30));
   d.type("60");
   CHECK(is_bent(glm::dvec3(0, 1, 0), 60));
   d.type("y");  // the second y bends in the plane of the view again
-  d.frame();
   CHECK(is_bent({}, 60));
   d.type("Z");
   d.press_key(workspace::Key::enter);

@@ -23,7 +23,6 @@ std::string key_of(PanelDriver& d, const char* command) {
 
 void open_list(PanelDriver& d) {
   d.choose("menu/Help", "menu/help");
-  d.frame(2);
   REQUIRE(d.workspace().panels.key_list.open);
 }
 
@@ -41,7 +40,6 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   d.click("keys_text");
   d.type("wireframe");
   d.click("key/toggle_wireframe");
-  d.frame();
   REQUIRE(d.workspace().view.interaction.setting_key == "toggle_wireframe");
   const bool grid = d.workspace().view.options.grid;
   d.press_key('G');
@@ -56,7 +54,6 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   CHECK(key_of(d, "toggle_wireframe") == "Shift+W");
   CHECK(key_of(d, "toggle_grid") == "G");
   d.click("close_keys");
-  d.frame(2);
   CHECK_FALSE(d.workspace().panels.key_list.open);
   d.press_key('G');
   CHECK(d.workspace().view.options.grid != grid);
@@ -68,12 +65,10 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   d.click("keys_text");
   d.type("undo");
   d.click("key/undo");
-  d.frame();
   d.press_key(workspace::Key::escape);
   CHECK(d.workspace().panels.key_list.open);
   CHECK(key_of(d, "undo") == "Ctrl+Z");
   d.click("key/undo");
-  d.frame();
   d.press_key(workspace::Key::delete_key);
   CHECK(key_of(d, "undo").empty());
   const workspace::Keymap changed = keymap(d);
@@ -83,7 +78,6 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   d.click("reset_keys");  // restores the changed keys
   CHECK(keymap(d) == changed);
   d.press_key(workspace::Key::escape);
-  d.frame();
   CHECK_FALSE(d.workspace().panels.key_list.open);
 }
 

@@ -18,7 +18,6 @@ TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narro
   // A tab folds and unfolds its column.
   for (const bool shown : {false, true}) {
     d.click("tab/methods");
-    d.frame();
     CHECK(d.is_seen("method_diag") == shown);
     CHECK((d.workspace().view.viewport.size.x > 800) == !shown);
   }
@@ -40,7 +39,6 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   const auto camera = d.workspace().view.camera.pose();
   const auto v = d.free_vertex();
   d.click(d.vertex(v), 1);
-  d.frame(2);
   CHECK(d.document().selection().contains(v));
   CHECK(d.workspace().view.camera.pose() == camera);
   d.click("menu/select_all");
@@ -49,15 +47,12 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   const auto& port = d.workspace().view.viewport;
   const glm::vec2 empty = port.origin + glm::vec2(0.5f * port.size.x, port.size.y - 70);
   d.drag(empty, empty + glm::vec2(40, 5), 1);
-  d.frame(2);
   CHECK_FALSE(d.workspace().view.camera.pose() == camera);
   CHECK_FALSE(d.recorder().find("menu/select_all"));
   // The menu adds a probe at the place where the menu was opened.
   d.workspace().view.options.cage = false;
   d.click(port.origin + glm::vec2(0.5f, 0.62f) * port.size, 1);
-  d.frame(2);
   d.click("menu/add_probe");
-  d.frame(2);
   CHECK(d.document().probes().all.size() == 1);
 }
 
@@ -65,9 +60,7 @@ TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   PanelDriver d(workspace::Workspace{});
   d.frame(3);
   d.press_key(workspace::key('K'), true);
-  d.frame(2);
   d.type("theme");
-  d.frame(2);
   CHECK(d.is_seen("palette/toggle_theme"));
   const bool dark = d.workspace().view.options.dark;
   d.press_key(workspace::Key::enter);
@@ -75,9 +68,7 @@ TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   d.frame(2);
   CHECK_FALSE(d.recorder().find("palette_text"));
   d.press_key(workspace::Key::f3);
-  d.frame(2);
   d.type("save");
-  d.frame(2);
   const auto found = workspace::find_commands(d.workspace(), "save");
   REQUIRE(found.size() > 2);
   d.press_key(workspace::Key::down);

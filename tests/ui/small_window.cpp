@@ -41,10 +41,8 @@ bool is_in_reach(PanelDriver& d, const std::string& there, const std::string& in
   if (is_inside(d, there)) return true;
   if (!is_inside(d, more)) return false;
   d.click(more);
-  d.frame(3);
   const bool found = is_inside(d, in_menu);
   d.press_key(workspace::Key::escape);
-  d.frame(3);
   return found;
 }
 
@@ -84,9 +82,7 @@ TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
   d.frame(3);
   const auto pick = [&](const char* menu, const char* entry) {
     d.click(menu);
-    d.frame(3);
     d.click(entry);
-    d.frame(2);
   };
   pick("strip/more", "menu/add_probe");
   CHECK(d.document().probes().all.size() == 1);
@@ -103,10 +99,8 @@ TEST_CASE("dialogs_are_inside_a_small_window") {
       {"command_palette", "palette_text"}, {"help", "keys_text"}, {"show_messages", "clear_messages"}};
   for (const auto& [command, widget] : dialogs) {
     d.run(command);
-    d.frame(4);
     CHECK_MESSAGE(is_inside(d, widget), command);
     d.press_key(workspace::Key::escape);
-    d.frame(2);
   }
 }
 
@@ -136,7 +130,6 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     w.files.question.reset();
     d.frame(3);
     d.click("put_off_leftovers");
-    d.frame(3);
     CHECK(w.view.viewport.origin.y == workspace::PanelLayout::menu_height);
   }
 }

@@ -108,7 +108,6 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
       if (c != '.') d.key(c, false);
     }
     d.press_key(workspace::Key::enter);
-    d.frame(3);
     CHECK(d.workspace().view.tool == tool);
     CHECK(d.document().selection().kind() == kind);
     CHECK(d.document().method() == method);
@@ -150,7 +149,6 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   begin("rotation", true);
   d.type("150");
   d.press_key(workspace::Key::escape);
-  d.frame(3);
   CHECK(slid_state(d.workspace()) == before);
   CHECK(d.workspace().panels.typed_slider.name.empty());
   d.frame(30);
@@ -166,7 +164,6 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
     d.frame(3);
     REQUIRE(has_tooltip());
     d.run(dialog);
-    d.frame(3);
     CHECK_FALSE(has_tooltip());
     if (std::string_view(dialog) == "open_model") {
       d.move(d.place_of("file_up"));
@@ -174,7 +171,6 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
       CHECK(has_tooltip());
     }
     d.press_key(workspace::Key::escape);
-    d.frame(3);
   }
 }
 
@@ -193,7 +189,6 @@ TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
           rect->x1 - rect->x0 - 2 * ImGui::GetStyle().FramePadding.x + 0.01f);
     CHECK(std::stod(text) == doctest::Approx(x).epsilon(0.05));
     d.press_key(workspace::Key::escape);
-    d.frame(2);
   }
 }
 
@@ -212,10 +207,8 @@ TEST_CASE("esc_closes_popups_without_a_change") {
     const std::set<std::string> closed = d.names();
     const auto before = slid_state(d.workspace());
     d.click(place);
-    d.frame(2);
     CHECK_MESSAGE(d.names().size() > closed.size(), chooser);
     d.press_key(workspace::Key::escape);
-    d.frame(2);
     CHECK_MESSAGE(d.names() == closed, std::string(chooser));
     CHECK_MESSAGE(slid_state(d.workspace()) == before, chooser);
   }
@@ -228,7 +221,6 @@ TEST_CASE("esc_in_a_field_leaves_its_number_and_name") {
     d.click(field);
     d.type("77");
     d.press_key(workspace::Key::escape);
-    d.frame(3);
     CHECK_MESSAGE(slid_state(d.workspace()) == before, field);
   }
 }
@@ -268,7 +260,6 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
     d.frame(3);
     CHECK(d.workspace().preferences.ask_keys);
     d.click(chooses ? "ask_keys/blender" : "ask_keys/close");
-    d.frame(2);
     CHECK(d.workspace().preferences.keymap.preset() ==
           (chooses ? workspace::KeyPreset::blender : workspace::KeyPreset::viete));
     CHECK_FALSE(d.recorder().find("ask_keys/blender"));
