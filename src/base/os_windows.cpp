@@ -43,27 +43,23 @@ std::string narrow(std::wstring_view text) {
 
 // Returns the last error in the words of the C library, which are English.
 std::error_code last_error() {
-  const auto number = [] {
-    switch (GetLastError()) {
-      case ERROR_FILE_NOT_FOUND:
-      case ERROR_PATH_NOT_FOUND: return ENOENT;
-      case ERROR_FILE_EXISTS:
-      case ERROR_ALREADY_EXISTS: return EEXIST;
-      case ERROR_ACCESS_DENIED:
-      case ERROR_SHARING_VIOLATION:
-      case ERROR_WRITE_PROTECT: return EACCES;
-      case ERROR_DISK_FULL:
-      case ERROR_HANDLE_DISK_FULL: return ENOSPC;
-      case ERROR_FILENAME_EXCED_RANGE: return ENAMETOOLONG;
-      case ERROR_INVALID_NAME: return EINVAL;
-      case ERROR_NO_DATA:
-      case ERROR_BROKEN_PIPE: return EPIPE;
-      case ERROR_NOT_ENOUGH_MEMORY:
-      case ERROR_COMMITMENT_LIMIT: return ENOMEM;
-      default: return EIO;
-    }
-  };
-  return {number(), std::generic_category()};
+  constexpr std::pair<DWORD, std::errc> known[] = {
+      {ERROR_FILE_NOT_FOUND, std::errc::no_such_file_or_directory},
+      {ERROR_PATH_NOT_FOUND, std::errc::no_such_file_or_directory},
+      {ERROR_FILE_EXISTS, std::errc::file_exists},
+      {ERROR_ALREADY_EXISTS, std::errc::file_exists},
+      {ERROR_ACCESS_DENIED, std::errc::permission_denied},
+      {ERROR_SHARING_VIOLATION, std::errc::permission_denied},
+      {ERROR_WRITE_PROTECT, std::errc::permission_denied},
+      {ERROR_DISK_FULL, std::errc::no_space_on_device},
+      {ERROR_HANDLE_DISK_FULL, std::errc::no_space_on_device},
+      {ERROR_FILENAME_EXCED_RANGE, std::errc::filename_too_long},
+      {ERROR_INVALID_NAME, std::errc::invalid_argument},
+      {ERROR_NOT_ENOUGH_MEMORY, std::errc::not_enough_memory}};
+  const DWORD last = GetLastError();
+  for (const auto& [number, code] : known)
+    if (number == last) return std::make_error_code(code);
+  return std::make_error_code(std::errc::io_error);
 }
 
 struct CloseHandleOf {
@@ -93,8 +89,8 @@ std::string registry_text(const wchar_t* key, const wchar_t* name) {
 
 // ---------------------------------------------------------------- program and environment
 
-// A program with windows has no console of its own. If it was started from a console, attaches to this console,
-// to write there and to receive Ctrl+C.
+// A program with windows has no console of its own. If it was started from a console, attaches to this
+// console, to write there and to receive Ctrl+C.
 std::vector<std::string> start_program(int, char**) {
   const bool has_output = GetStdHandle(STD_OUTPUT_HANDLE) != nullptr;
   if (AttachConsole(ATTACH_PARENT_PROCESS) && !has_output) {

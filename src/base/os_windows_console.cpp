@@ -1,5 +1,5 @@
-// viete.com: starts viete.exe from a console, and waits for it. A console does not wait for a program that may
-// open windows, and a program for consoles opens a console when it is started by a double click.
+// viete.com: starts viete.exe from a console, and waits for it. A console does not wait for a program that
+// may open windows, and a program for consoles opens a console when it is started by a double click.
 #include <windows.h>
 
 #include <cstdio>

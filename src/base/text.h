@@ -6,6 +6,13 @@
 #include <string>
 #include <string_view>
 
+// MinGW has two functions printf(); its headers name the one that they call.
+#ifdef __MINGW_PRINTF_FORMAT
+#define VIETE_PRINTF __MINGW_PRINTF_FORMAT
+#else
+#define VIETE_PRINTF printf
+#endif
+
 namespace viete::base {
 
 /// Returns the text in a form that is safe to print on one line. Control characters become visible ("\x1B",
@@ -17,7 +24,7 @@ std::string printable(std::string_view text, std::size_t most = 2000);
 std::string cut(std::string_view text, std::size_t most);
 
 /// Formats as printf() does. The result has at most 511 bytes.
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+[[gnu::format(VIETE_PRINTF, 1, 2)]] std::string formatted(const char* format, ...);
 /// Returns text such as "50,000".
 std::string with_thousands(std::size_t n);
 /// Returns text such as "1 face" or "3 faces".

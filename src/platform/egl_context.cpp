@@ -6,7 +6,8 @@
 #include <array>
 
 #include "base/error.h"
-#include "platform/driver_context.h"
+#include "platform/library.h"
+#include "platform/offscreen_context.h"
 
 namespace viete::platform {
 

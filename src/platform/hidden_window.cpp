@@ -1,7 +1,7 @@
 #include <GLFW/glfw3.h>
 
 #include "base/error.h"
-#include "platform/driver_context.h"
+#include "platform/offscreen_context.h"
 
 namespace viete::platform {
 

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/os.h"
 #include "base/worker_pool.h"
-#include "platform/driver_context.h"
+#include "platform/library.h"
 
 namespace viete::platform {
 

@@ -31,6 +31,9 @@ protected:
   OffscreenContext() = default;
 };
 
+/// Kind::driver: egl_context.cpp or, on Windows, hidden_window.cpp. Throws base::Error with the reason.
+std::unique_ptr<OffscreenContext> make_driver_context();
+
 /// Call this before creating a context or a window. Mesa's CPU rasteriser hangs if the system refuses to
 /// create its threads. If the system cannot create enough threads for Mesa, sets LP_NUM_THREADS=0: Mesa then
 /// creates no threads. Keeps the value if LP_NUM_THREADS is already set.

@@ -19,6 +19,11 @@ formats::ReadResult bundled(const std::string& name) {
   return formats::read(test::assets_dir() / "dragon" / name);
 }
 
+std::vector<mesh::Point> places_of(const nlohmann::json& key) {
+  const auto arrays = key["positions"].get<std::vector<std::array<double, 3>>>();
+  return {arrays.begin(), arrays.end()};
+}
+
 }  // namespace
 
 TEST_CASE("cage_is_closed_oriented_outwards_and_has_60_to_150_triangles") {
@@ -45,15 +50,6 @@ TEST_CASE("cage_encloses_every_vertex_of_the_dragon_with_1_5_percent_of_the_diag
   };
   CHECK(std::ranges::none_of(dragon.positions, is_close));
 }
-
-namespace {
-
-std::vector<mesh::Point> places_of(const nlohmann::json& key) {
-  const auto arrays = key["positions"].get<std::vector<std::array<double, 3>>>();
-  return {arrays.begin(), arrays.end()};
-}
-
-}  // namespace
 
 TEST_CASE("the_loop_begins_and_ends_alert_and_takes_five_seconds") {
   const mesh::Surface cage = bundled("cage.obj").surface;

@@ -23,13 +23,12 @@ TEST_CASE("every_flipped_bit_and_every_other_length_changes_the_checksum") {
     seen.insert(checksum(bytes));
   }
   CHECK(seen.size() == 101);
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
+  for (std::size_t i = 0; i < bytes.size(); ++i)
     for (int bit = 0; bit < 8; ++bit) {
       std::string other = bytes;
       other[i] = static_cast<char>(1 << bit);
       seen.insert(checksum(other));
     }
-  }
   CHECK(seen.size() == 901);
 }
 

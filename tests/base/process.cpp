@@ -22,9 +22,8 @@ TEST_CASE("ended_processes_do_not_run_even_as_zombies") {
 }
 
 TEST_CASE("invalid_process_names_do_not_run") {
-  for (const char* name : {"", "-", "abc", "12x-5", "../self-1", "99999999999999999999-1"}) {
+  for (const char* name : {"", "-", "abc", "12x-5", "../self-1", "99999999999999999999-1"})
     CHECK_FALSE_MESSAGE(process_runs(name), name);
-  }
 }
 
 using viete::base::ForkDelay;

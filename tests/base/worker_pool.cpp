@@ -33,7 +33,7 @@ TEST_CASE("every_element_is_visited_once_for_any_count_block_and_thread_number")
   for (const int threads : {1, 2, 3, 7}) {
     WorkerPool pool(threads);
     CHECK(pool.threads() == threads);
-    for (const std::size_t count : {0u, 1u, 2u, 63u, 64u, 65u, 1000u}) {
+    for (const std::size_t count : {0u, 1u, 2u, 63u, 64u, 65u, 1000u})
       for (const std::size_t block : {1u, 7u, 64u, 5000u}) {
         std::vector<std::atomic<int>> visits(count);
         pool.for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
@@ -42,7 +42,6 @@ TEST_CASE("every_element_is_visited_once_for_any_count_block_and_thread_number")
         });
         for (const auto& v : visits) REQUIRE(v == 1);
       }
-    }
   }
 }
 

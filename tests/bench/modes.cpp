@@ -64,10 +64,9 @@ TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
     auto moved = model;
     for (std::size_t v = 0; v < 8; ++v) {
       const auto& from = cage.surface.positions[v];
-      for (std::size_t i = 0; i < model.size(); ++i) {
+      for (std::size_t i = 0; i < model.size(); ++i)
         if (mesh::norm(model[i] - from) <= 0.25 * cage.diagonal)
           moved[i] = moved[i] + (pose.positions[v] - from);
-      }
     }
     return moved;
   };

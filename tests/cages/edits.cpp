@@ -19,10 +19,9 @@ constexpr double volume = 7;
 Surface letter_u() {
   std::string text;
   const auto corner = [](std::size_t i, int cap) { return std::to_string(i + 1 + 8 * cap) + " "; };
-  for (int cap = 0; cap < 2; ++cap) {
+  for (int cap = 0; cap < 2; ++cap)
     for (const auto& [x, y] : outline)
       text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(cap) + "\n";
-  }
   text += "f ";
   for (std::size_t i = 8; i-- > 0;) text += corner(i, 0);
   text += "\nf ";

@@ -51,6 +51,28 @@ const std::vector<cages::Wish> several = {
     {.kind = cages::Kind::box},
 };
 
+void pause_for(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+struct Work {
+  base::Progress progress;
+  std::atomic<bool> ended{false}, cancelled{false};
+  std::thread thread;
+
+  explicit Work(const mesh::Surface& model, const cages::Wish& wish)
+      : thread([this, &model, wish] {
+          base::WorkerPool pool(1);
+          try {
+            cages::make(model, wish, pool, &progress);
+          } catch (const base::Cancelled&) {
+            cancelled = true;
+          }
+          ended = true;
+        }) {}
+  ~Work() { thread.join(); }
+};
+
 }  // namespace
 
 TEST_CASE("cages_are_the_same_for_any_number_of_threads") {
@@ -96,32 +118,6 @@ TEST_CASE("single_points_and_empty_models_are_rejected") {
     }
   }
 }
-
-namespace {
-
-void pause_for(double seconds) {
-  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-}
-
-struct Work {
-  base::Progress progress;
-  std::atomic<bool> ended{false}, cancelled{false};
-  std::thread thread;
-
-  explicit Work(const mesh::Surface& model, const cages::Wish& wish)
-      : thread([this, &model, wish] {
-          base::WorkerPool pool(1);
-          try {
-            cages::make(model, wish, pool, &progress);
-          } catch (const base::Cancelled&) {
-            cancelled = true;
-          }
-          ended = true;
-        }) {}
-  ~Work() { thread.join(); }
-};
-
-}  // namespace
 
 TEST_CASE("cage_making_can_be_cancelled_quickly") {
   const mesh::Surface model = sphere(5);

@@ -17,9 +17,8 @@
 namespace viete::test {
 
 inline Surface stretched(Surface s, const Point& factors, const Point& offset = {0, 0, 0}) {
-  for (Point& p : s.positions) {
+  for (Point& p : s.positions)
     for (std::size_t k = 0; k < 3; ++k) p[k] = p[k] * factors[k] + offset[k];
-  }
   return s;
 }
 
@@ -36,9 +35,8 @@ inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside)
   std::vector<Point> points;
   std::vector<Triangle> triangles;
   const auto full = [&](std::array<int, 3> c) {
-    for (const int x : c) {
+    for (const int x : c)
       if (x < 0 || x >= n) return false;
-    }
     return inside(c[0], c[1], c[2]);
   };
   const auto vertex = [&](const std::array<int, 3>& c) {
@@ -49,7 +47,7 @@ inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside)
   for (int i = 0; i < n * n * n; ++i) {
     const std::array<int, 3> cell = {i % n, i / n % n, i / n / n};
     if (!full(cell)) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
       for (const int side : {0, 1}) {
         auto beside = cell;
         beside[axis] += 2 * side - 1;
@@ -65,7 +63,6 @@ inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside)
         triangles.push_back({corners[0], corners[1], corners[2]});
         triangles.push_back({corners[0], corners[2], corners[3]});
       }
-    }
   }
   return mesh::from_triangles(points, triangles);
 }
@@ -93,25 +90,22 @@ inline Surface points_only(std::vector<Point> points) {
 /// Returns a flat grid of n x n quads. Leaves out the quads for which `hole` is true.
 inline Surface sheet(int n, const std::function<bool(int, int)>& hole) {
   Surface s;
-  for (int j = 0; j <= n; ++j) {
+  for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) s.positions.push_back({1.0 * i, 1.0 * j, 0});
-  }
   std::vector<Triangle> triangles;
-  for (int j = 0; j < n; ++j) {
+  for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       if (hole(i, j)) continue;
       const auto a = static_cast<std::uint32_t>(j * (n + 1) + i), b = a + static_cast<std::uint32_t>(n) + 1;
       triangles.insert(triangles.end(), {{a, a + 1, b + 1}, {a, b + 1, b}});
     }
-  }
   return mesh::from_triangles(s.positions, triangles);
 }
 
 inline Surface without_lower_half(const Surface& s) {
   std::vector<Triangle> kept;
-  for (const auto& t : s.triangles) {
+  for (const auto& t : s.triangles)
     if (s.positions[t[0]][2] + s.positions[t[1]][2] + s.positions[t[2]][2] > 0) kept.push_back(t);
-  }
   return mesh::from_triangles(s.positions, kept);
 }
 
@@ -127,9 +121,8 @@ inline Surface many_spheres(int count) {
 inline Surface shaken(Surface s, double size) {
   std::mt19937_64 engine(3);
   std::uniform_real_distribution<double> by(-size, size);
-  for (Point& p : s.positions) {
+  for (Point& p : s.positions)
     for (double& x : p) x += by(engine);
-  }
   return s;
 }
 

@@ -14,12 +14,11 @@ std::vector<std::filesystem::path> real_models() {
   std::vector<std::filesystem::path> all;
   const auto data = shared_data();
   if (data.empty()) return all;
-  for (const auto& folder : std::filesystem::directory_iterator(data)) {
+  for (const auto& folder : std::filesystem::directory_iterator(data))
     for (const char* name : {"mesh.obj", "mesh.ply"}) {
       const auto path = folder.path() / name;
       if (std::filesystem::exists(path) && std::filesystem::file_size(path) < 10'000'000) all.push_back(path);
     }
-  }
   std::ranges::sort(all);
   return all;
 }

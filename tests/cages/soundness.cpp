@@ -22,19 +22,16 @@ void check_closed_manifold(const cages::Shell& shell) {
 TEST_CASE("extracted_surface_of_random_values_is_a_closed_oriented_manifold") {
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<float> value(-1, 1);
-  for (const bool mirrored : {false, true}) {
+  for (const bool mirrored : {false, true})
     for (int i = 0; i < 20; ++i) {
       cages::Grid grid{{0, 0, 0}, 1, {9, 8, 10}, mirrored};
       std::vector<float> values(grid.node_count(), 1);
-      for (std::size_t x = mirrored ? 0 : 1; x + 1 < grid.size[0]; ++x) {
-        for (std::size_t y = 1; y + 1 < grid.size[1]; ++y) {
+      for (std::size_t x = mirrored ? 0 : 1; x + 1 < grid.size[0]; ++x)
+        for (std::size_t y = 1; y + 1 < grid.size[1]; ++y)
           for (std::size_t z = 1; z + 1 < grid.size[2]; ++z) values[grid.index(x, y, z)] = value(engine);
-        }
-      }
       const cages::Shell shell = cages::extract({grid, values}, 0);
       check_closed_manifold(mirrored ? cages::whole(shell) : shell);
     }
-  }
 }
 
 TEST_CASE("clearance_is_positive_outside_and_negative_inside") {

@@ -21,6 +21,12 @@ double difference(Frames& f, const Pose& pose) {
   return largest_distance(f.fused.positions(), f.staged.deform(pose)) / unit;
 }
 
+// Moves each vertex slightly, so that no result depends on a choice between equal candidates.
+mesh::Surface shaken(const mesh::Surface& surface, double by) {
+  Random random(11);
+  return mapped(surface, [&](const Vec3& x) { return x + by * random.vector(1); });
+}
+
 }  // namespace
 
 TEST_CASE("every_deformer_keeps_rest_and_follows_similarities" * doctest::test_suite(longer)) {
@@ -32,7 +38,7 @@ TEST_CASE("every_deformer_keeps_rest_and_follows_similarities" * doctest::test_s
     const auto& rest = b.staged.model.positions;
     CHECK(largest_distance(b.staged.deform(rest_pose(*b.staged.cage)), rest) <
           1e-14 * b.staged.cage->diagonal);
-    for (int a = 0; a < 6; ++a) {
+    for (int a = 0; a < 6; ++a)
       for (int s = 0; s < 3; ++s) {
         const double angle = angles[a], scale = scales[s];
         const bool rigid = deformer.blend == Blend::mls_rigid;
@@ -41,7 +47,6 @@ TEST_CASE("every_deformer_keeps_rest_and_follows_similarities" * doctest::test_s
         CHECK(b.staged.error(map) < 5e-12);
         CHECK(difference(b, b.staged.pose(map)) < 1e-6);
       }
-    }
   }
 }
 
@@ -149,16 +154,6 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
     }
   }
 }
-
-namespace {
-
-// Moves each vertex slightly, so that no result depends on a choice between equal candidates.
-mesh::Surface shaken(const mesh::Surface& surface, double by) {
-  Random random(11);
-  return mapped(surface, [&](const Vec3& x) { return x + by * random.vector(1); });
-}
-
-}  // namespace
 
 TEST_CASE("rotating_model_cage_and_pose_rotates_the_result") {
   const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});

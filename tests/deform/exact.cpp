@@ -38,9 +38,8 @@ double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
 // Returns a value from /proc/self/status, in bytes.
 std::optional<double> memory(const std::string& key) {
   std::ifstream in("/proc/self/status");
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; std::getline(in, line);)
     if (line.starts_with(key + ":")) return 1024 * std::stod(line.substr(key.size() + 1));
-  }
   return std::nullopt;
 }
 
@@ -90,7 +89,7 @@ TEST_CASE("block_by_block_gives_the_same_bits_for_any_number_of_threads") {
 
 TEST_CASE("each_pose_has_the_same_bits_alone_and_in_sequence") {
   using Kept = ExactDeformer::Weights;
-  for (const bool stitched : {false, true}) {
+  for (const bool stitched : {false, true})
     for (const Weighting weighting : {faces, mean_values}) {
       if (stitched && weighting == mean_values) continue;  // these weights cannot be stitched
       const Bound b(stitched ? tube(8, 14, 0.9, 3) : cloud(700), tube(9, 12, 1.4, 4), weighting);
@@ -110,7 +109,6 @@ TEST_CASE("each_pose_has_the_same_bits_alone_and_in_sequence") {
         }
       }
     }
-  }
 }
 
 TEST_CASE("errors_of_methods_at_close_eigenvalues_are_reported") {

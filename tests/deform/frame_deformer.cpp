@@ -36,11 +36,10 @@ TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
   const std::size_t n = 37, k = 23;
   const Binding b = random_binding(n, k, random);
   std::vector<MapLog> logs(k);
-  for (auto& l : logs) {
+  for (auto& l : logs)
     l = {{random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1)},
          random.vector(3),
          random.vector(2)};
-  }
   std::vector<double> sums(n * log_shape.columns);
   const Rows rows{RowForm::logs, {reinterpret_cast<const double*>(logs.data()), 12 * logs.size()}, {}};
   for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 37u}})
@@ -81,9 +80,8 @@ TEST_CASE("every_staged_link_of_a_blend_is_timed_and_no_other") {
     CHECK(b.deformer.ran() == EngineKind::staged);
     CHECK(b.deformer.sample_matrices(100).size() == (b.deformer.deformer().exponential() ? 100 : 0));
     std::set<Stage> stages;
-    for (std::size_t i = 0; i < stage_count; ++i) {
+    for (std::size_t i = 0; i < stage_count; ++i)
       if (b.deformer.times().ms[i] > 0) stages.insert(static_cast<Stage>(i));
-    }
     return stages;
   };
   using S = Stage;
@@ -126,9 +124,8 @@ TEST_CASE("vertices_are_float_positions_about_the_origin_and_packed_normals") {
   REQUIRE(b.deformer.vertices().size() == positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const FrameVertex& v = b.deformer.vertices()[i];
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
       CHECK(v.position[k] == static_cast<float>(positions[i][k] - b.deformer.origin()[k]));
-    }
     CHECK(viete::base::norm(viete::base::unpack_normal(v.normal) - normals[i]) < 5e-5);
   }
 }

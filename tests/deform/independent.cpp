@@ -114,13 +114,10 @@ using Lists = std::vector<std::vector<std::size_t>>;
 // Returns, for each member, the other members of all its groups.
 Lists beside(const Lists& groups, std::size_t members) {
   Lists result(members);
-  for (const auto& group : groups) {
-    for (const auto a : group) {
-      for (const auto b : group) {
+  for (const auto& group : groups)
+    for (const auto a : group)
+      for (const auto b : group)
         if (a != b) result[a].push_back(b);
-      }
-    }
-  }
   return result;
 }
 
@@ -372,13 +369,12 @@ Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const Indepe
 
 double largest_step(const std::vector<Element>& elements, const Lists& around) {
   Quad least = 3;  // trace of A^T B = 1 + 2 cos(angle between the rotations A and B)
-  for (std::size_t j = 0; j < elements.size(); ++j) {
+  for (std::size_t j = 0; j < elements.size(); ++j)
     for (const auto n : around[j]) {
       Quad trace = 0;
       for (int i = 0; i < 9; ++i) trace += elements[j].rotation[i] * elements[n].rotation[i];
       least = std::min(least, trace);
     }
-  }
   return std::acos(static_cast<double>((least - 1) / 2));
 }
 

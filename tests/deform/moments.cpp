@@ -34,13 +34,12 @@ double fused_error(Frames& f, const Map& map) {
 
 template <class Body>
 void for_deformers(const Body& body) {
-  for (const Weights kind : kinds) {
+  for (const Weights kind : kinds)
     for (const Blend fit : fitted_blends) {
       const Deformer deformer{{Elements::point, kind}, fit};
       CAPTURE(text(deformer));
       body(deformer);
     }
-  }
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ TEST_CASE("models_of_bent_polygons_deform_symmetrically_whatever_their_first_cor
 }
 
 TEST_CASE("affine_poses_of_polygon_cages_are_exact_and_unmoved_ones_keep_every_vertex") {
-  for (const mesh::Surface& cage : polygon_cages()) {
+  for (const mesh::Surface& cage : polygon_cages())
     for (const Deformer& deformer : whole_deformers()) {
       CAPTURE(text(deformer));
       Bound b(test::sphere(2), jittered(cage, 0.02), deformer.weighting, 1, deformer.blend);
@@ -237,7 +237,6 @@ TEST_CASE("affine_poses_of_polygon_cages_are_exact_and_unmoved_ones_keep_every_v
           deformer.weighting.weights == Weights::mean_value || deformer.blend == Blend::mls_affine;
       if (promised) CHECK(b.error(shear()) < 1e-12);
     }
-  }
 }
 
 TEST_CASE("splitting_at_the_center_changes_no_triangle_and_counts_a_quad_as_two_triangles") {

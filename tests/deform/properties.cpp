@@ -39,26 +39,22 @@ TEST_CASE("unmoved_cage_keeps_every_vertex") {
     for (const Deformer& deformer :
          {Deformer{faces}, Deformer{faces, Blend::linear}, Deformer{mean_values, Blend::linear}}) {
       Bound b(model_across(), cage, deformer.weighting, 2, deformer.blend);
-      for (const auto method : methods) {
+      for (const auto method : methods)
         CHECK(largest_distance(b.deform(rest_pose(*b.cage), method), b.model.positions) <
               1e-14 * b.cage->diagonal);
-      }
     }
   }
 }
 
 TEST_CASE("similarity_poses_move_every_vertex_by_that_similarity") {
-  for (const auto& cage : cages()) {
+  for (const auto& cage : cages())
     for (const Blend blend : {Blend::srl, Blend::linear}) {
       Bound b(model_across(), cage, faces, 2, blend);
-      for (const double angle : {1e-9, 1.0, 90.0, 179.999, 180.0, 180.001, 270.0, 360.0, 540.0}) {
-        for (const double scale : {1e-3, 1.0, 1e3}) {
+      for (const double angle : {1e-9, 1.0, 90.0, 179.999, 180.0, 180.001, 270.0, 360.0, 540.0})
+        for (const double scale : {1e-3, 1.0, 1e3})
           for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, -2, 3}})
             CHECK(b.error(similarity(axis, angle * degree, scale, {2 * scale, scale, -scale})) < 1e-12);
-        }
-      }
     }
-  }
 }
 
 TEST_CASE("halfway_between_opposite_turns_logs_keep_the_thickness_that_averaged_maps_lose") {
@@ -112,7 +108,7 @@ TEST_CASE("random_collapsed_and_mirrored_poses_of_every_cage_stay_finite_with_ev
   const auto dot = [](const Vec3&) { return Vec3{1, 2, 3}; };
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
   Random random(16);
-  for (const auto& cage : cages()) {
+  for (const auto& cage : cages())
     for (const auto& c : {faces, mean_values}) {
       Bound b(model_across(), cage, c);
       std::vector<Pose> poses = {b.pose(flat), b.pose(line), b.pose(mirror), b.pose(dot)};
@@ -127,5 +123,4 @@ TEST_CASE("random_collapsed_and_mirrored_poses_of_every_cage_stay_finite_with_ev
       b.deform(poses[3]);
       if (c == faces) CHECK_FALSE(b.report().collapsed.empty());
     }
-  }
 }

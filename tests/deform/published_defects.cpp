@@ -28,9 +28,8 @@ namespace {
 // Returns each weighting that a deformer uses, without repetitions.
 std::vector<Weighting> all_weightings() {
   std::vector<Weighting> all;
-  for (const Deformer& s : whole_deformers()) {
+  for (const Deformer& s : whole_deformers())
     if (std::ranges::find(all, s.weighting) == all.end()) all.push_back(s.weighting);
-  }
   return all;
 }
 
@@ -51,13 +50,12 @@ TEST_CASE("weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_
   const Cage cage = make_cage(surface);
   Random random(6);
   mesh::Surface points;  // pairs of points on both sides of a plane
-  for (int n = 0; n < 20; ++n) {
+  for (int n = 0; n < 20; ++n)
     for (const auto& [i, j, k] : surface.triangles) {
       const Vec3 &a = surface.positions[i], u = surface.positions[j] - a, v = surface.positions[k] - a;
       const Vec3 on = a + random(-2, 3) * u + random(-2, 3) * v, across = cross(u, v);
       for (const double side : {1e-8, -1e-8}) points.positions.push_back(on + side * across);
     }
-  }
   base::WorkerPool pool(1);
   for (const Weighting& weighting : all_weightings()) {
     if (weighting.on_surface()) continue;

@@ -27,7 +27,7 @@ Deformer stitched_srl(int iterations = 1) {
 }  // namespace
 
 TEST_CASE("stitched_frames_equal_double_precision_up_to_the_sums") {
-  for (Deformer deformer : whole_deformers()) {
+  for (Deformer deformer : whole_deformers())
     for (deformer.iterations = 1; deformer.iterations <= 2; ++deformer.iterations) {
       if (conflict(deformer)) continue;
       CAPTURE(text(deformer));
@@ -46,7 +46,6 @@ TEST_CASE("stitched_frames_equal_double_precision_up_to_the_sums") {
         }
       }
     }
-  }
 }
 
 TEST_CASE("a_large_model_is_stitched_like_a_coarse_one") {

@@ -82,9 +82,8 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;
-  for (std::size_t j = 0; j < k.size(); ++j) {
+  for (std::size_t j = 0; j < k.size(); ++j)
     for (auto i = k.starts[j]; i < k.starts[j + 1]; ++i) sum += k.values[i] * dot(x[j], x[k.rows[i]]);
-  }
   for (const auto& pin : stitching.pins) sum += pin.weight * squared_norm(x[pin.vertex]);
   return sum;
 }
@@ -93,17 +92,15 @@ double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std
 
 TEST_CASE("stitching_keeps_rest_and_follows_similarities_for_every_blend") {
   const StitchScene s(pipe());
-  for (const int iterations : {1, 3}) {
+  for (const int iterations : {1, 3})
     for (const Deformer& deformer : all_stitched(iterations)) {
       CAPTURE(text(deformer));
       CHECK(s.error([](const Vec3& x) { return x; }, deformer) < 1e-12);
-      for (const double angle : {1e-9, 90.0, 180.0, 270.0}) {
+      for (const double angle : {1e-9, 90.0, 180.0, 270.0})
         for (const double scale : {1e-3, 1.0, 1e3})
           CHECK(s.error(similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale}),
                         deformer) < 1e-11);
-      }
     }
-  }
 }
 
 TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
@@ -295,12 +292,11 @@ TEST_CASE("a_soup_of_triangles_and_layers_are_stitched_as_one_and_come_apart_whe
     };
     const auto expected = one.deform(pose, together), posed = of_soup.deform(pose, together);
     double off = 0;
-    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const mesh::Point& p = expected[whole.triangles[t][k]];
         off = std::max(off, norm(posed[3 * t + k] - p));
       }
-    }
     CHECK(off < 2e-3);
     CHECK(torn(of_layers.deform(pose, together)) < 0.001);
   }

@@ -36,9 +36,8 @@ TEST_CASE("recomputed_matrices_equal_those_of_the_staged_frame") {
 
   const auto few = sample_stretches(weigher, *b.binding, nullptr, b.deformer.state().rows(), 10);
   REQUIRE(few.size() == 10);
-  for (std::size_t s = 0; s < few.size(); ++s) {
+  for (std::size_t s = 0; s < few.size(); ++s)
     CHECK(largest_difference(few[s], all[s * all.size() / 10]) == 0);
-  }
 
   CHECK(sample_stretches(weigher, *b.binding, nullptr, {}, 10).empty());
   base::Progress progress;

@@ -26,6 +26,25 @@ Timeline two_keys(const pose::Pose& from, const pose::Pose& to, Easing easing = 
   return timeline;
 }
 
+// A cube without a cage, and shapes of this cube.
+struct Shaped {
+  std::shared_ptr<const mesh::Surface> model = std::make_shared<const mesh::Surface>(test::cube(1));
+  VectorCache vectors;
+
+  Animation animation(const Timeline& timeline) {
+    vectors.follow_model(model);
+    return {timeline, vectors};
+  }
+  SharedShape shape(double degrees, double pull = 0) const {
+    auto points = model->positions;
+    points[7][2] += pull;
+    return std::make_shared<const std::vector<mesh::Point>>(test::turned(points, degrees));
+  }
+  static PoseKey key(int frame, SharedShape shape, Easing easing = Easing::constant_speed) {
+    return {frame, std::make_shared<const WholePose>(WholePose{{}, {}, std::move(shape)}), easing};
+  }
+};
+
 }  // namespace
 
 TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
@@ -88,29 +107,6 @@ TEST_CASE("the_frame_of_a_key_is_its_pose_to_the_bit_in_either_way") {
   CHECK(a.at(-100) == *t.keys.front().pose);
   CHECK(a.at(100) == *t.keys.back().pose);
 }
-
-namespace {
-
-// A cube without a cage, and shapes of this cube.
-struct Shaped {
-  std::shared_ptr<const mesh::Surface> model = std::make_shared<const mesh::Surface>(test::cube(1));
-  VectorCache vectors;
-
-  Animation animation(const Timeline& timeline) {
-    vectors.follow_model(model);
-    return {timeline, vectors};
-  }
-  SharedShape shape(double degrees, double pull = 0) const {
-    auto points = model->positions;
-    points[7][2] += pull;
-    return std::make_shared<const std::vector<mesh::Point>>(test::turned(points, degrees));
-  }
-  static PoseKey key(int frame, SharedShape shape, Easing easing = Easing::constant_speed) {
-    return {frame, std::make_shared<const WholePose>(WholePose{{}, {}, std::move(shape)}), easing};
-  }
-};
-
-}  // namespace
 
 TEST_CASE("keys_with_and_without_shapes_lead_by_logs_from_one_to_the_next") {
   Shaped m;

@@ -105,22 +105,20 @@ TEST_CASE("a_new_vertex_of_a_posed_cage_lies_where_its_neighbours_are") {
 
 TEST_CASE("merging_and_removing_keep_a_closed_cage_closed") {
   Document document = edited_cube();
-  select(document, ElementKind::vertex, {0, 1});
-  merge_selected(document);
-  CHECK(document.cage()->closed);
-  CHECK(document.cage()->surface.positions.size() == 7);
-  CHECK(document.cage()->element_count() == 10);
-  undo(document);
-  select(document, ElementKind::vertex, {7});
-  remove_selected(document);
-  CHECK(document.cage()->closed);
-  CHECK(document.cage()->surface.positions.size() == 7);
-  undo(document);
-  select(document, ElementKind::edge, {0});
-  remove_selected(document);
-  CHECK(document.cage()->closed);
-  CHECK(document.cage()->surface.polygon_count() == 11);
-  undo(document);
+  const auto check = [&](ElementKind kind, const std::vector<std::uint32_t>& elements,
+                         void (*edit)(Document&), std::size_t vertices, std::size_t polygons,
+                         std::size_t elements_after) {
+    select(document, kind, elements);
+    edit(document);
+    CHECK(document.cage()->closed);
+    CHECK(document.cage()->surface.positions.size() == vertices);
+    CHECK(document.cage()->surface.polygon_count() == polygons);
+    CHECK(document.cage()->element_count() == elements_after);
+    undo(document);
+  };
+  check(ElementKind::vertex, {0, 1}, merge_selected, 7, 10, 10);
+  check(ElementKind::vertex, {7}, remove_selected, 7, 10, 10);
+  check(ElementKind::edge, {0}, remove_selected, 8, 11, 14);
   select(document, ElementKind::face, {0});
   remove_selected(document);
   CHECK_FALSE(document.cage()->closed);

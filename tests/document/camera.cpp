@@ -44,7 +44,7 @@ TEST_CASE("the_target_is_in_the_middle_of_the_free_part_of_the_window") {
 TEST_CASE("framed_points_fit_the_uncovered_free_part_of_the_window_and_nearly_fill_it") {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1 : 5, i & 2 ? -2 : 2, i & 4 ? 7 : 8});
-  for (const bool orthographic : {false, true}) {
+  for (const bool orthographic : {false, true})
     for (const float covered : {0.0f, 220.0f}) {
       Camera camera;
       camera.set_orthographic(orthographic);
@@ -61,7 +61,6 @@ TEST_CASE("framed_points_fit_the_uncovered_free_part_of_the_window_and_nearly_fi
       CHECK(high.y <= 774 - covered);
       CHECK(std::max((high.x - low.x) / 680, (high.y - low.y) / (774 - covered)) > 0.75f);
     }
-  }
 }
 
 TEST_CASE("a_single_point_is_framed_from_a_finite_distance") {

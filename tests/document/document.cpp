@@ -86,7 +86,7 @@ TEST_CASE("a_pose_or_a_cage_without_a_document_is_refused_with_advice") {
 }
 
 TEST_CASE("every_model_has_diagonal_two_in_view_wherever_it_is_and_however_large") {
-  for (const double size : {1e-30, 1.0, 1e30}) {
+  for (const double size : {1e-30, 1.0, 1e30})
     for (const double offset : {0.0, 1e7}) {
       const mesh::Bounds box{{offset * size, 0, 0}, {(offset + 3) * size, 4 * size, 0}};
       const auto space = document::space_for(box);
@@ -94,7 +94,6 @@ TEST_CASE("every_model_has_diagonal_two_in_view_wherever_it_is_and_however_large
       CHECK(glm::distance(a, b) == doctest::Approx(2).epsilon(1e-6));
       CHECK(glm::length(a + b) < 1e-6f);
     }
-  }
   CHECK(document::space_for({{1, 2, 3}, {1, 2, 3}}).to_view({1, 2, 3}) == glm::vec3(0));
 }
 

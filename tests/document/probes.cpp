@@ -155,10 +155,9 @@ TEST_CASE("the_axis_of_symmetry_is_found") {
   // If a cube is deformed along two axes, it is symmetric only across the third axis.
   for (std::size_t kept = 0; kept < 3; ++kept) {
     mesh::Surface surface = test::CubeFiles::subdivided_cube();
-    for (auto& p : surface.positions) {
+    for (auto& p : surface.positions)
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (axis != kept && p[axis] > 0) p[axis] *= 1 + 0.5 * std::abs(p[(axis + 1) % 3] + p[(axis + 2) % 3]);
-    }
     const Document document(test::surface_without_file(std::move(surface)));
     CHECK(symmetry_axis(document) == int(kept));
   }

@@ -15,13 +15,12 @@ mesh::Surface plane_of_quads(std::uint32_t n) {
   s.polygon_starts = {0};
   for (std::uint32_t y = 0; y <= n; ++y)
     for (std::uint32_t x = 0; x <= n; ++x) s.positions.push_back({1.0 * x, 1.0 * y, 0.1 * (x == 0)});
-  for (std::uint32_t y = 0; y < n; ++y) {
+  for (std::uint32_t y = 0; y < n; ++y)
     for (std::uint32_t x = 0; x < n; ++x) {
       const std::uint32_t v = y * (n + 1) + x;
       for (const auto corner : {v, v + 1, v + n + 2, v + n + 1}) s.corners.push_back(corner);
       s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     }
-  }
   mesh::triangulate(s);
   return s;
 }

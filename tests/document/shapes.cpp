@@ -37,12 +37,11 @@ struct BarFiles : test::TemporaryFolder {
     }
     const std::uint32_t sides = flat ? 2 : 4;
     std::vector<mesh::Triangle> triangles;
-    for (std::uint32_t r = 0; r + 1 < rings; ++r) {
+    for (std::uint32_t r = 0; r + 1 < rings; ++r)
       for (std::uint32_t s = 0; s < (flat ? 1 : sides); ++s) {
         const std::uint32_t a = sides * r + s, b = sides * r + (s + 1) % sides;
         triangles.insert(triangles.end(), {{a, b, b + sides}, {a, b + sides, a + sides}});
       }
-    }
     bar = mesh::from_triangles(std::move(bar.positions), triangles);
     write("bar.obj", bar.positions);
   }

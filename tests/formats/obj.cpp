@@ -17,6 +17,57 @@ Surface surface_of(const std::string& text) {
   return result.surface;
 }
 
+const std::string rich =
+    "# made by hand\r\n"
+    "mtllib some.mtl\r\n"
+    "o first thing\r\n"
+    "v 0.000 0.000 0.000 1.0\r\n"
+    "v 1.000 0.000 0.000 # here\r\n"
+    "  v\t1.000  1.000 0.000\r\n"
+    "V 0.000 1.000 0.000\r\n"
+    "vt 0 0\r\nvt 1 0\r\nvt 1 1\r\n"
+    "vp 0.5\r\n"
+    "g left right\r\ns 1\r\nusemtl red paint\r\n"
+    "f 1/1 2/2 \\\r\n3/3\r\n"
+    "s off\r\nf -4/-3 -2 -1/1\r\n"
+    "l 1 2 3\r\np 1 2\r\nnonsense 1 2 3\r\nf 1 2\r\n"
+    "curv 0 1 1 2\r\n\r\n# end";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+// Two squares at a right angle, with one normal each.
+const std::string folded =
+    "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 1.0 1.0 0.0\nv 0.0 1.0 0.0\nv 0.0 0.0 1.0\nv 0.0 1.0 1.0\n"
+    "vn 0.0000 0.0000 1.0000\nvn 1.0000 0.0000 0.0000\n# normals\ns 1\n"
+    "f 1//1 2//1 3//1 4//1\nf 1//-1 4//-1 6//-1 5//-1\n";
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+// Returns the normal of each corner of the OBJ text.
+std::vector<Vec3> corner_normals(const std::string& text) {
+  const ReadResult read = test::read_kept(text, "obj");
+  std::vector<Vec3> normals;
+  for (const std::uint32_t n : read.attributes->corner_normal) {
+    REQUIRE(n != none);
+    normals.push_back(read.attributes->normals[n]);
+  }
+  return normals;
+}
+
+std::vector<MtlMaterial> materials_of(const std::string& text) {
+  return read_mtl(Source{"given.mtl", "mtl", text, nullptr, nullptr, "/models"});
+}
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+
 }  // namespace
 
 TEST_CASE("obj_faces_may_carry_texture_and_normal_indices_of_any_kind") {
@@ -84,7 +135,7 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
 }
 
 TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
-  for (const char* end : {"\n", "\r\n", "\r"}) {
+  for (const char* end : {"\n", "\r\n", "\r"})
     for (const char* join : {"\\", " \\", "\\  ", " \\ \t "}) {
       const std::string next = join + std::string(end);
       std::string text;
@@ -104,7 +155,6 @@ TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
       CHECK(test::read_text(moved, "obj").surface.positions[2] == Point{1, 0, 5});
       CHECK(test::read_text(moved, "obj").attributes->normals[0] == Vec3{0, -1, 0});
     }
-  }
   CHECK(holds(test::refusal("v 0\\ \n0\\\r\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
 }
 
@@ -130,32 +180,6 @@ TEST_CASE("obj_comments_of_the_head_are_kept") {
   CHECK(cut.comments.size() == 64);
   CHECK(cut.comments[0].size() == 200);
 }
-
-namespace {
-
-const std::string rich =
-    "# made by hand\r\n"
-    "mtllib some.mtl\r\n"
-    "o first thing\r\n"
-    "v 0.000 0.000 0.000 1.0\r\n"
-    "v 1.000 0.000 0.000 # here\r\n"
-    "  v\t1.000  1.000 0.000\r\n"
-    "V 0.000 1.000 0.000\r\n"
-    "vt 0 0\r\nvt 1 0\r\nvt 1 1\r\n"
-    "vp 0.5\r\n"
-    "g left right\r\ns 1\r\nusemtl red paint\r\n"
-    "f 1/1 2/2 \\\r\n3/3\r\n"
-    "s off\r\nf -4/-3 -2 -1/1\r\n"
-    "l 1 2 3\r\np 1 2\r\nnonsense 1 2 3\r\nf 1 2\r\n"
-    "curv 0 1 1 2\r\n\r\n# end";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
-}  // namespace
 
 TEST_CASE("obj_original_at_rest_is_identical") {
   for (const std::string& text : {rich, replaced(rich, "# made", "\xEF\xBB\xBF# made"),
@@ -243,33 +267,6 @@ TEST_CASE("obj_invalid_attribute_indices_cause_a_warning") {
   CHECK(holds(read.warnings[1], "used 0 for 1 unreadable line of texture coordinates"));
 }
 
-namespace {
-
-// Two squares at a right angle, with one normal each.
-const std::string folded =
-    "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 1.0 1.0 0.0\nv 0.0 1.0 0.0\nv 0.0 0.0 1.0\nv 0.0 1.0 1.0\n"
-    "vn 0.0000 0.0000 1.0000\nvn 1.0000 0.0000 0.0000\n# normals\ns 1\n"
-    "f 1//1 2//1 3//1 4//1\nf 1//-1 4//-1 6//-1 5//-1\n";
-
-std::size_t count_of(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
-  return count;
-}
-
-// Returns the normal of each corner of the OBJ text.
-std::vector<Vec3> corner_normals(const std::string& text) {
-  const ReadResult read = test::read_kept(text, "obj");
-  std::vector<Vec3> normals;
-  for (const std::uint32_t n : read.attributes->corner_normal) {
-    REQUIRE(n != none);
-    normals.push_back(read.attributes->normals[n]);
-  }
-  return normals;
-}
-
-}  // namespace
-
 TEST_CASE("obj_normals_turn_with_a_rigid_motion_and_no_line_is_added") {
   const ReadResult read = test::read_kept(folded, "obj");
   auto moved = read.surface.positions;
@@ -341,16 +338,6 @@ TEST_CASE("obj_normal_on_an_unterminated_last_line_can_be_split") {
   CHECK(corner_normals(written).size() == 4);
   CHECK(corner_normals(written)[1] != corner_normals(written)[3]);
 }
-
-namespace {
-
-std::vector<MtlMaterial> materials_of(const std::string& text) {
-  return read_mtl(Source{"given.mtl", "mtl", text, nullptr, nullptr, "/models"});
-}
-
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
-
-}  // namespace
 
 TEST_CASE("mtl_colours_opacity_and_images_are_read") {
   const auto all = materials_of(

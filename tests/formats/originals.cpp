@@ -122,16 +122,14 @@ void check_kept(const Maker& m, const std::string& written) {
   CHECK(written.substr(0, m.body) == m.bytes.substr(0, m.body));
   if (m.form() != Maker::Form::text) {
     REQUIRE(written.size() == m.bytes.size());
-    for (std::size_t i = m.body; i < written.size(); ++i) {
+    for (std::size_t i = m.body; i < written.size(); ++i)
       if (!m.may[i]) REQUIRE(written[i] == m.bytes[i]);
-    }
     return;
   }
   const auto before = words_of(m.bytes.substr(m.body)), after = words_of(written.substr(m.body));
   REQUIRE(before.size() == after.size());
-  for (std::size_t i = 0; i < after.size(); ++i) {
+  for (std::size_t i = 0; i < after.size(); ++i)
     if (!m.may[i]) REQUIRE(before[i] == after[i]);
-  }
 }
 
 Point turned(const Point& p) {
@@ -228,9 +226,8 @@ TEST_CASE("stl_binary_keeps_header_and_attributes") {
     const auto& [a, b, c] = ball.triangles[t];
     const Point n = cross(ball.positions[b] - ball.positions[a], ball.positions[c] - ball.positions[a]);
     for (const double x : n) put(t % 5 == 0 ? 0.0F : static_cast<float>(x / norm(n)));
-    for (const auto v : {a, b, c}) {
+    for (const auto v : {a, b, c})
       for (const double x : ball.positions[v]) put(static_cast<float>(x == 0 ? -0.0 : x));
-    }
     put(static_cast<std::uint16_t>(1000 + t));
   }
   bytes += "tail";

@@ -33,25 +33,23 @@ TEST_CASE("content_decides_the_format_and_not_the_extension") {
                                                        {"PLY binary little-endian", test::bytes_by("ply", s)},
                                                        {"OFF", test::bytes_by("off", s)},
                                                        {"STL ascii", test::bytes_by("stl", s)}};
-  for (const auto& [format, bytes] : files) {
+  for (const auto& [format, bytes] : files)
     for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
       if (format == "OBJ" && std::string(extension) == "stl") continue;  // OBJ has no signature: STL is tried
       const ReadResult r = test::read_text(bytes, extension);
       CHECK(r.format == format);
       CHECK(r.surface.triangles.size() == s.triangles.size());
     }
-  }
 }
 
 TEST_CASE("content_without_a_surface_is_rejected") {
   std::mt19937 random(5);
   std::string garbage(4096, '\0');
   for (char& c : garbage) c = static_cast<char>(random());
-  for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
+  for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"})
     for (const std::string& text :
          {garbage, std::string("Dear reader,\nthis is a letter.\n"), std::string("\n\n\n")})
       CHECK(test::refusal(text, extension).starts_with("given."));
-  }
 }
 
 TEST_CASE("unreadable_files_are_rejected_with_a_reason") {
@@ -104,7 +102,7 @@ TEST_CASE("damaged_files_never_break_an_invariant") {
   std::mt19937 random(11);
   const std::string alphabet = std::string("0123456789.-+eE/\\#\r\n \t\0\x7f\xffvf", 28);
   int loaded = 0, refused = 0;
-  for (const auto& [extension, seed] : seeds) {
+  for (const auto& [extension, seed] : seeds)
     for (int i = 0; i < 1500; ++i) {
       std::string bytes = seed;
       for (unsigned k = random() % 4; k-- > 0;)
@@ -118,7 +116,6 @@ TEST_CASE("damaged_files_never_break_an_invariant") {
         ++refused;
       }
     }
-  }
   CHECK(loaded > 500);
   CHECK(refused > 500);
 }
@@ -176,12 +173,11 @@ TEST_CASE("foreign_files_are_rejected_with_their_kind") {
       {std::string("POINTCACHE2\0", 12), "a point cache"},
       {std::string(3000, '\0'), "only zero bytes"},
       {"", "the file is empty"}};
-  for (const auto& [bytes, what] : files) {
+  for (const auto& [bytes, what] : files)
     for (const char* extension : {"obj", "ply", "off", "stl", "glb", "gltf", ""}) {
       const std::string said = test::refusal(bytes, extension);
       CHECK_MESSAGE(holds(said, what), extension << ": " << said);
     }
-  }
   for (const char* bytes :
        {"v 1 2 3\n", "# version https://git-lfs.github.com/spec/v1\n", "{\"a\": 1}", "solid a\n"})
     CHECK_NOTHROW(refuse_foreign("given", bytes));

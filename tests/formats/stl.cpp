@@ -12,9 +12,8 @@ std::string binary_stl(const Surface& s, std::string head) {
   test::append(head, static_cast<std::uint32_t>(s.triangles.size()));
   for (const Triangle& t : s.triangles) {
     head.append(12, '\0');
-    for (const auto v : t) {
+    for (const auto v : t)
       for (const double x : s.positions[v]) test::append(head, static_cast<float>(x));
-    }
     head += "\x7f\x7f";
   }
   return head;

@@ -16,9 +16,8 @@ Surface awkward(double scale) {
   std::mt19937_64 random(13);
   std::uniform_real_distribution<double> uniform(-1, 1);
   s.positions.push_back({1.0 / 3, -0.0, 5e-324});
-  for (Point& p : s.positions) {
+  for (Point& p : s.positions)
     for (double& x : p) x = x * scale + uniform(random) * scale;
-  }
   s.corners.insert(s.corners.end(), {0, 1, 2, 3, 4});
   s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
   triangulate(s);
@@ -51,10 +50,9 @@ TEST_CASE("stl_keeps_every_triangle_exactly") {
   const ReadResult r = read(folder / "a.stl");
   REQUIRE(r.surface.triangles.size() == s.triangles.size());
   CHECK(r.comments == std::vector<std::string>{"a name"});
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i)
       CHECK(r.surface.positions[r.surface.triangles[t][i]] == s.positions[s.triangles[t][i]]);
-  }
 }
 
 TEST_CASE("control_characters_in_comments_cannot_break_a_file") {

@@ -24,9 +24,7 @@ void check_materials(std::string_view bytes) {
   const auto materials = formats::read_mtl(source);
   require(materials.size() <= bytes.size());
   for (const auto& m : materials) {
-    for (const float x : m.material.base_color) {
-      require(x >= 0 && x <= 1);
-    }
+    for (const float x : m.material.base_color) require(x >= 0 && x <= 1);
     require(m.image.empty() || m.image.is_absolute());
   }
 }

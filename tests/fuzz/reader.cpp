@@ -18,15 +18,13 @@ using viete::fuzz::require;
 namespace {
 
 void check_invariants(const Surface& s, std::size_t bytes, std::size_t placed) {
-  for (const auto& p : s.positions) {
+  for (const auto& p : s.positions)
     for (const double x : p) require(std::isfinite(x) && std::abs(x) <= 1e100);
-  }
   require(s.polygon_starts.empty() || s.polygon_starts.back() == s.corners.size());
   require(s.triangles.size() == s.triangle_polygon.size());
   for (const auto c : s.corners) require(c < s.positions.size());
-  for (const auto& t : s.triangles) {
+  for (const auto& t : s.triangles)
     for (const auto v : t) require(v < s.positions.size());
-  }
   // A small file must not give a large surface. `placed` is the limit for vertices of instances in glTF.
   require(s.positions.size() <= bytes + placed && s.corners.size() <= 4 * (bytes + placed) + 64);
 }

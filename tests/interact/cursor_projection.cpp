@@ -45,10 +45,9 @@ TEST_CASE("a_place_on_an_axis_is_found_again_from_its_pixel") {
   for (const Camera& c : {camera(false), camera(true)}) {
     const glm::dvec3 p(0.4, -0.3, 0.7);
     const CursorProjection projection(p, c, test::viewport);
-    for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+    for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
       for (const double t : {-0.5, 0.0, 0.01, 0.8})
         CHECK(projection.along(axis, pixel(c, p + t * axis)) == doctest::Approx(t).epsilon(1e-5));
-    }
   }
 }
 

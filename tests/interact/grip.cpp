@@ -15,18 +15,16 @@ namespace {
 Document arm() {
   Document document = test::cube_document();
   std::vector<mesh::Point> points;
-  for (int ring = 0; ring < 10; ++ring) {
+  for (int ring = 0; ring < 10; ++ring)
     for (const auto& [y, z] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
       points.push_back({double(ring), double(y), double(z)});
-  }
   std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 3}, {38, 37, 36}, {39, 38, 36}};
-  for (std::uint32_t ring = 0; ring < 9; ++ring) {
+  for (std::uint32_t ring = 0; ring < 9; ++ring)
     for (std::uint32_t k = 0; k < 4; ++k) {
       const std::uint32_t a = 4 * ring + k, b = 4 * ring + (k + 1) % 4;
       triangles.push_back({a, a + 4, b});
       triangles.push_back({b, a + 4, b + 4});
     }
-  }
   test::put_cage(document, mesh::from_triangles(points, triangles));
   return document;
 }

@@ -207,9 +207,8 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
 TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   Hand hand(test::cube_workspace());
   auto& cage = hand.w.document.changed_pose().positions;
-  for (auto& p : cage) {
+  for (auto& p : cage)
     for (double& x : p) x *= 0.2;  // moves the cage into the model
-  }
   hand.w.view.options.select_visible = true;
   hand.drag({205, 5}, {995, 775});
   CHECK(hand.selected() == 0);

@@ -198,9 +198,8 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
     slowly.changed_selection().apply(upper, SelectMode::replace);
     const DocumentState before = slowly.state();
     const Grip grip = test::plain_grip(slowly);
-    for (double seen = 0; seen < degrees; seen += 10) {
+    for (double seen = 0; seen < degrees; seen += 10)
       place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump by 40 degrees takes several steps
-    }
     CHECK(at_once.pose().positions == slowly.pose().positions);
     for (int i = 0; i < 3; ++i)
       CHECK(at_once.pose().turns[0][i] == doctest::Approx(slowly.pose().turns[0][i]).epsilon(1e-9));

@@ -98,7 +98,7 @@ TEST_CASE("cancelling_brings_positions_turns_and_selection_back") {
 }
 
 TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
-  for (const bool orthographic : {false, true}) {
+  for (const bool orthographic : {false, true})
     for (int axis = 0; axis < 3; ++axis) {
       Drag d(Tool::move, {Kind::axis, axis}, {0, 0}, orthographic);
       glm::dvec3 direction(0);
@@ -116,7 +116,6 @@ TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
       CHECK(d.moved(6)[axis] == doctest::Approx(d.moved(7)[axis]));
       CHECK(d.moved(0) == mesh::Point{0, 0, 0});
     }
-  }
 }
 
 TEST_CASE("a_plane_move_stays_in_its_plane_and_under_the_cursor") {
@@ -141,10 +140,9 @@ TEST_CASE("going_round_and_back_is_as_it_was") {
     if (i == 0) CHECK(std::abs(d.drag->transform().degrees) == doctest::Approx(720).epsilon(1e-4));
   }
   CHECK(std::abs(d.drag->transform().degrees) < 1e-9);
-  for (std::size_t v = 0; v < rest.size(); ++v) {
+  for (std::size_t v = 0; v < rest.size(); ++v)
     for (int i = 0; i < 3; ++i)
       CHECK(d.w.document.pose().positions[v][i] == doctest::Approx(rest[v][i]).epsilon(1e-12));
-  }
 }
 
 TEST_CASE("ctrl_snaps_to_15_degrees_a_tenth_of_scale_and_a_tenth_of_a_cell") {

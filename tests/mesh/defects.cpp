@@ -43,10 +43,9 @@ TEST_CASE("thin_triangles_are_listed_at_every_scale_except_flat_ones") {
 namespace {
 
 Surface rotated(Surface s) {
-  for (Point& p : s.positions) {
+  for (Point& p : s.positions)
     p = {0.36 * p[0] + 0.48 * p[1] - 0.8 * p[2], -0.8 * p[0] + 0.6 * p[1],
          0.48 * p[0] + 0.64 * p[1] + 0.6 * p[2]};
-  }
   return s;
 }
 
@@ -128,10 +127,9 @@ TEST_CASE("sweep_agrees_with_brute_force") {
   List expected;
   for (std::uint32_t s = 0; s < triangles.size(); ++s) {
     bool cut = false;
-    for (std::uint32_t t = 0; t < triangles.size() && !cut; ++t) {
+    for (std::uint32_t t = 0; t < triangles.size() && !cut; ++t)
       if (s != t)
         cut = !self_intersecting_triangles(from_triangles(points, {triangles[s], triangles[t]})).empty();
-    }
     if (cut) expected.push_back(s);
   }
   CHECK(expected.size() > 20);

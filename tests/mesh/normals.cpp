@@ -14,6 +14,17 @@ std::vector<Point> normals_of(const Surface& s) {
   return normals;
 }
 
+// Rotates a point by 90 degrees about x, then moves the point along x.
+Point turned_about_x(const Point& p) {
+  return {p[0] + 1, -p[2], p[1]};
+}
+
+std::vector<Point> turned(const std::vector<Point>& points) {
+  std::vector<Point> all;
+  for (const Point& p : points) all.push_back(turned_about_x(p));
+  return all;
+}
+
 }  // namespace
 
 TEST_CASE("normals_of_a_sphere_point_outward_at_every_scale") {
@@ -82,25 +93,9 @@ TEST_CASE("rotation_rotates_normals_that_lean_from_their_faces") {
     posed.push_back({-p[1], p[0], p[2]});
   }
   const auto moved = deformed_normals(s, posed, normals, s.corners);
-  for (std::size_t i = 0; i < normals.size(); ++i) {
+  for (std::size_t i = 0; i < normals.size(); ++i)
     CHECK(norm(moved[i] - Vec3{-normals[i][1], normals[i][0], normals[i][2]}) < 1e-13);
-  }
 }
-
-namespace {
-
-// Rotates a point by 90 degrees about x, then moves the point along x.
-Point turned_about_x(const Point& p) {
-  return {p[0] + 1, -p[2], p[1]};
-}
-
-std::vector<Point> turned(const std::vector<Point>& points) {
-  std::vector<Point> all;
-  for (const Point& p : points) all.push_back(turned_about_x(p));
-  return all;
-}
-
-}  // namespace
 
 TEST_CASE("equal_normals_of_vertices_at_one_place_stay_equal") {
   Surface two;  // two squares; their common edge has two copies of its vertices
@@ -132,10 +127,9 @@ TEST_CASE("offsets_turn_with_the_surface_and_those_of_positions_grow_with_it") {
   std::vector<Point> posed;
   for (const Point& p : s.positions) posed.push_back(3.0 * turned_about_x(p));
   const std::vector<Vec3> offsets(s.positions.size(), Vec3{0.25, 0.5, 0});
-  for (const auto& [kind, scale] : {std::pair(OffsetKind::positions, 3.0), {OffsetKind::directions, 1.0}}) {
+  for (const auto& [kind, scale] : {std::pair(OffsetKind::positions, 3.0), {OffsetKind::directions, 1.0}})
     for (const auto& o : deformed_offsets(s, posed, offsets, kind, s.corners))
       CHECK(norm(o - scale * Vec3{0.25, 0, 0.5}) < 1e-14);
-  }
 }
 
 TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {

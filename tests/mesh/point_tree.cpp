@@ -44,7 +44,7 @@ std::vector<std::uint32_t> every(std::size_t count, std::size_t step) {
 }  // namespace
 
 TEST_CASE("nearest_point_agrees_with_brute_force") {
-  for (const double size : {1e-30, 1.0, 1e30}) {
+  for (const double size : {1e-30, 1.0, 1e30})
     for (const Point about : {Point{0, 0, 0}, Point{100 * size, 0, -50 * size}}) {
       const auto points = random_points(3000, size, about);
       const auto targets = random_points(300, 2 * size, about);
@@ -60,7 +60,6 @@ TEST_CASE("nearest_point_agrees_with_brute_force") {
         }
       }
     }
-  }
 }
 
 TEST_CASE("ties_of_nearest_points_go_to_the_lowest_index") {

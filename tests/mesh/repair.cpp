@@ -19,12 +19,11 @@ TEST_CASE("welding_closes_a_triangle_soup_and_keeps_numbering") {
   CHECK(summarize(soup).boundary_edges.size() == 3 * whole.triangles.size());
   CHECK(summarize(joined).closed());
   CHECK(joined.positions == soup.positions);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int i = 0; i < 3; ++i) {
       CHECK(joined.triangles[t][i] <= triangles[t][i]);
       CHECK(positions[joined.triangles[t][i]] == positions[triangles[t][i]]);
     }
-  }
 }
 
 TEST_CASE("disagreeing_faces_are_flipped_to_the_majority") {
@@ -46,16 +45,7 @@ TEST_CASE("inside_out_surfaces_stay_and_components_are_oriented_separately") {
 }
 
 TEST_CASE("moebius_strip_stays_unchanged") {
-  // A band of six quads, closed with a twist.
-  std::vector<Point> positions;
-  std::vector<Triangle> triangles;
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
-    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
-    triangles.push_back({a, c, b});
-    triangles.push_back({b, c, d});
-  }
-  const Surface strip = from_triangles(positions, triangles);
+  const Surface strip = test::moebius_strip();
   CHECK(!summarize(strip).oriented());
   CHECK(consistently_oriented(strip).triangles == strip.triangles);
   CHECK(one_sided(strip).triangles.empty());

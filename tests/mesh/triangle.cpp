@@ -15,13 +15,62 @@ Vec3 point(const Closest& c, const Vec3& a, const Vec3& b, const Vec3& d) {
 double sampled(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr int n = 60;
   double best = HUGE_VAL;
-  for (int i = 0; i <= n; ++i) {
+  for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const double s = double(i) / n, t = double(j) / n;
       best = std::min(best, norm(p - ((1 - s - t) * a + s * b + t * c)));
     }
-  }
   return best;
+}
+
+// Returns six times the signed volume, exactly. Coordinates must be integers below 2^20.
+__int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
+  __int128 m[3][3];
+  for (int k = 0; k < 3; ++k) {
+    m[0][k] = static_cast<__int128>(b[k]) - static_cast<__int128>(a[k]);
+    m[1][k] = static_cast<__int128>(c[k]) - static_cast<__int128>(a[k]);
+    m[2][k] = static_cast<__int128>(d[k]) - static_cast<__int128>(a[k]);
+  }
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+std::mt19937_64 pair_engine(5);
+
+// Returns a triangle on a coarse lattice. Contacts, common edges and common planes are frequent there.
+Corners lattice_triangle(int size) {
+  std::uniform_int_distribution<int> number(0, size);
+  Corners t;
+  for (Point& p : t) p = {1.0 * number(pair_engine), 1.0 * number(pair_engine), 1.0 * number(pair_engine)};
+  return t;
+}
+
+// Returns the smallest distance between points of grids on the triangles.
+double sampled_distance(const Corners& s, const Corners& t) {
+  constexpr int n = 12;
+  double least = HUGE_VAL;
+  const auto place = [](const Corners& c, int i, int j) {
+    const double u = i / double(n), v = j / double(n);
+    return (1 - u - v) * c[0] + u * c[1] + v * c[2];
+  };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j)
+      for (int k = 0; k <= n; ++k)
+        for (int l = 0; k + l <= n; ++l) least = std::min(least, norm(place(s, i, j) - place(t, k, l)));
+  return least;
+}
+
+bool segment_through(const Point& p, const Point& q, const Corners& t) {
+  const auto a = volume_of(t[0], t[1], t[2], p), b = volume_of(t[0], t[1], t[2], q);
+  if ((a > 0) == (b > 0) || a == 0 || b == 0) return false;
+  const auto u = volume_of(p, q, t[0], t[1]), v = volume_of(p, q, t[1], t[2]),
+             w = volume_of(p, q, t[2], t[0]);
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+bool in_one_plane(const Corners& s, const Corners& t) {
+  return std::ranges::all_of(t, [&](const Point& p) { return volume_of(s[0], s[1], s[2], p) == 0; });
 }
 
 }  // namespace
@@ -64,14 +113,13 @@ TEST_CASE("a_triangle_without_area_is_a_segment_or_a_point") {
 
 TEST_CASE("distance_scales_with_the_scene_from_1e-30_to_1e30") {
   test::Random random(4);
-  for (const double s : {1e-30, 1e-10, 1e10, 1e30}) {
+  for (const double s : {1e-30, 1e-10, 1e10, 1e30})
     for (int n = 0; n < 50; ++n) {
       const Vec3 a = random.vector(1), b = random.vector(1), c = random.vector(1), p = random.vector(2);
       const double d = std::sqrt(closest_on_triangle(p, a, b, c).squared_distance);
       CHECK(std::sqrt(closest_on_triangle(s * p, s * a, s * b, s * c).squared_distance) ==
             doctest::Approx(s * d).epsilon(1e-9));
     }
-  }
 }
 
 TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
@@ -85,23 +133,6 @@ TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
     CHECK_FALSE(has_area(b, b, b));
   }
 }
-
-namespace {
-
-// Returns six times the signed volume, exactly. Coordinates must be integers below 2^20.
-__int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
-  __int128 m[3][3];
-  for (int k = 0; k < 3; ++k) {
-    m[0][k] = static_cast<__int128>(b[k]) - static_cast<__int128>(a[k]);
-    m[1][k] = static_cast<__int128>(c[k]) - static_cast<__int128>(a[k]);
-    m[2][k] = static_cast<__int128>(d[k]) - static_cast<__int128>(a[k]);
-  }
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-}  // namespace
 
 TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
   std::mt19937_64 random(3);
@@ -133,59 +164,14 @@ TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
 TEST_CASE("orientation_is_exact_where_rounding_decides") {
   // The coordinates of p are near 0.5, in steps of e. The determinant 12 * (j - i) * e is tiny.
   const double e = 0x1p-53;
-  for (int i = -8; i <= 8; ++i) {
+  for (int i = -8; i <= 8; ++i)
     for (int j = -8; j <= 8; ++j) {
       const Point2 p{0.5 + i * e, 0.5 + j * e}, q{12, 12}, r{24, 24};
       CHECK(orientation(p, q, r) == (i < j) - (i > j));
       CHECK(orientation(Point{p[0], p[1], 0}, Point{12, 12, 0}, Point{24, 24, 0}, Point{1, 1, 1}) ==
             (i < j) - (i > j));
     }
-  }
 }
-
-namespace {
-
-std::mt19937_64 pair_engine(5);
-
-// Returns a triangle on a coarse lattice. Contacts, common edges and common planes are frequent there.
-Corners lattice_triangle(int size) {
-  std::uniform_int_distribution<int> number(0, size);
-  Corners t;
-  for (Point& p : t) p = {1.0 * number(pair_engine), 1.0 * number(pair_engine), 1.0 * number(pair_engine)};
-  return t;
-}
-
-// Returns the smallest distance between points of grids on the triangles.
-double sampled_distance(const Corners& s, const Corners& t) {
-  constexpr int n = 12;
-  double least = HUGE_VAL;
-  const auto place = [](const Corners& c, int i, int j) {
-    const double u = i / double(n), v = j / double(n);
-    return (1 - u - v) * c[0] + u * c[1] + v * c[2];
-  };
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; i + j <= n; ++j) {
-      for (int k = 0; k <= n; ++k) {
-        for (int l = 0; k + l <= n; ++l) least = std::min(least, norm(place(s, i, j) - place(t, k, l)));
-      }
-    }
-  }
-  return least;
-}
-
-bool segment_through(const Point& p, const Point& q, const Corners& t) {
-  const auto a = volume_of(t[0], t[1], t[2], p), b = volume_of(t[0], t[1], t[2], q);
-  if ((a > 0) == (b > 0) || a == 0 || b == 0) return false;
-  const auto u = volume_of(p, q, t[0], t[1]), v = volume_of(p, q, t[1], t[2]),
-             w = volume_of(p, q, t[2], t[0]);
-  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-}
-
-bool in_one_plane(const Corners& s, const Corners& t) {
-  return std::ranges::all_of(t, [&](const Point& p) { return volume_of(s[0], s[1], s[2], p) == 0; });
-}
-
-}  // namespace
 
 TEST_CASE("triangle_crossing_on_a_lattice_agrees_with_integer_arithmetic") {
   int crossing = 0, apart = 0;

@@ -168,16 +168,13 @@ TEST_CASE("collinear_corners_make_no_triangles_without_area_and_repeated_corners
 }
 
 TEST_CASE("every_simple_polygon_is_covered_once_from_any_first_corner") {
-  for (const Ring& shape : {dart, u_shape, keyhole, star(10), star(21), comb(3), spiral(140)}) {
-    for (const Ring& ring : {shape, with_more_corners(shape)}) {
-      for (const Ring& placed : {ring, onto_a_slope(ring), turned_by_rounded_numbers(ring)}) {
+  for (const Ring& shape : {dart, u_shape, keyhole, star(10), star(21), comb(3), spiral(140)})
+    for (const Ring& ring : {shape, with_more_corners(shape)})
+      for (const Ring& placed : {ring, onto_a_slope(ring), turned_by_rounded_numbers(ring)})
         for (std::size_t first = 0; first < ring.size(); first += 1 + ring.size() / 30) {
           const Ring from = from_corner(placed, first);
           check_cover(from, triangulation(from));
         }
-      }
-    }
-  }
 }
 
 TEST_CASE("only_repeated_corners_make_triangles_without_area") {
@@ -201,13 +198,12 @@ TEST_CASE("polygons_that_touch_themselves_are_covered") {
   const Ring hole_at_side = flat({0, 0, 4, 0, 4, 4, 2, 4, 3, 2, 1, 2, 2, 4, 0, 4});
   const Ring slit = flat({0, 0, 4, 0, 4, 4, 2, 4, 2, 1, 2, 4, 0, 4});
   const Ring touching_corner = flat({0, 0, 4, 0, 4, 4, 2, 4, 2, 2, 0, 0, 1, 2, 1, 4, 0, 4});
-  for (const Ring& ring : {two_bridges, hole_at_side, slit, touching_corner}) {
+  for (const Ring& ring : {two_bridges, hole_at_side, slit, touching_corner})
     for (std::size_t first = 0; first < ring.size(); ++first) {
       const Ring from = from_corner(ring, first), slope = onto_a_slope(from);
       check_cover(from, triangulation(from));
       check_cover(slope, triangulation(slope));
     }
-  }
 }
 
 TEST_CASE("polygons_of_thousands_of_corners_are_covered") {

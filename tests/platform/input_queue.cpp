@@ -41,6 +41,18 @@ struct Frames {
   }
 };
 
+// Returns the characters that a focused text field gets in the next frame.
+std::string typed_in_a_frame(Frames& f) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.WantTextInput = true;
+  f.queue.feed_frame();
+  ImGui::NewFrame();
+  std::string typed;
+  for (const ImWchar c : io.InputQueueCharacters) typed += static_cast<char>(c);
+  ImGui::EndFrame();
+  return typed;
+}
+
 }  // namespace
 
 TEST_CASE("a_click_between_two_frames_is_not_lost_and_movement_waits_for_its_frames") {
@@ -71,22 +83,6 @@ TEST_CASE("a_modifier_is_held_when_its_key_goes_down") {
   f.frame();
   CHECK_FALSE(ImGui::GetIO().KeyShift);
 }
-
-namespace {
-
-// Returns the characters that a focused text field gets in the next frame.
-std::string typed_in_a_frame(Frames& f) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.WantTextInput = true;
-  f.queue.feed_frame();
-  ImGui::NewFrame();
-  std::string typed;
-  for (const ImWchar c : io.InputQueueCharacters) typed += static_cast<char>(c);
-  ImGui::EndFrame();
-  return typed;
-}
-
-}  // namespace
 
 TEST_CASE("text_field_takes_text_at_once_and_text_after_a_key_later") {
   Frames f;

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "support/caged_shapes.h"
 #include "pose/branches.h"
 #include "pose/maps.h"
+#include "support/caged_shapes.h"
 
 using namespace viete::test;
 using Edges = std::vector<viete::mesh::Edge>;
@@ -71,14 +71,13 @@ Branches branches_of(const Cage& cage, const Rotations& rotations, const std::ve
 TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference") {
   const Vec3 n = (1 / std::sqrt(14.0)) * Vec3{1, 2, 3};
   const double turn = 360 * degree;
-  for (double reference = -900; reference <= 900; reference += 7) {
+  for (double reference = -900; reference <= 900; reference += 7)
     for (double angle = -170; angle <= 170; angle += 17) {
       const Vec3 y = nearest_branch((angle * degree) * n, (reference * degree) * n);
       const double k = (dot(y, n) - angle * degree) / turn;
       CHECK(std::abs(k - std::round(k)) < 1e-12);
       CHECK(std::abs(dot(y, n) / degree - reference) <= 180 + 1e-9);
     }
-  }
   CHECK(nearest_branch({1, 2, 2}, {0, 0, 0}) == Vec3{1, 2, 2});
   for (const double r : {0.0, 3.0, 359.0, 360.0, 361.0, 400.0}) {
     const Vec3 expected{0, 0, r < 180 ? 0 : turn};
@@ -99,9 +98,8 @@ TEST_CASE("a_flipped_element_or_root_does_not_rotate_the_others") {
       rotations[e] = similarity({0, 0, 1}, a * degree).linear;
       b = branches_of(cage, rotations, turns);
       turns = b.turns;
-      for (std::uint32_t i = 0; i < b.logs.size(); ++i) {
+      for (std::uint32_t i = 0; i < b.logs.size(); ++i)
         if (i != e) CHECK(norm(b.logs[i]) == doctest::Approx(3 * degree));
-      }
     }
     CHECK(norm(b.logs[e]) < 1e-9);
   }

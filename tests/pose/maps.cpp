@@ -24,61 +24,6 @@ viete::mesh::Surface flat_element() {
   return viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
 }
 
-}  // namespace
-
-TEST_CASE("unmoved_elements_have_exactly_the_identity") {
-  const Cage cage = make_cage(tube(9, 7, 0.31, 2.3));
-  for (const auto& map : maps_of(cage, cage.surface.positions)) CHECK(map.linear == unity);
-}
-
-TEST_CASE("a_map_takes_the_corners_of_its_element_to_their_posed_places") {
-  const Cage cage = make_cage(box({1, 2, 3}));
-  Random random(7);
-  auto posed = cage.surface.positions;
-  for (auto& p : posed) p = p + random.vector(0.5);
-  const auto maps = maps_of(cage, posed);
-  const Vec3 origin = pose_origin(cage, posed);
-  for (std::size_t e = 0; e < maps.size(); ++e) {
-    for (const auto v : cage.surface.triangles[e]) {
-      const Vec3 image =
-          Affine{maps[e].linear, maps[e].center}(cage.surface.positions[v] - cage.centers[e]) + origin;
-      CHECK(norm(image - posed[v]) < 1e-14);
-    }
-  }
-}
-
-TEST_CASE("a_similarity_is_reproduced_off_the_plane_too") {
-  const Cage cage = make_cage(box({1, 2, 3}));
-  for (const double scale : {1e-3, 1.0, 1e3}) {
-    const auto map = similarity({1, -1, 2}, 2.2, scale, {scale, 0, 0});
-    for (const auto& m : maps_of(cage, mapped(cage.surface.positions, map))) {
-      CHECK(largest_difference(m.linear, map.linear) < 1e-13 * scale);
-    }
-  }
-}
-
-TEST_CASE("orientation_of_an_element_does_not_change_its_map") {
-  auto t = box().triangles;
-  for (auto& x : t) std::swap(x[1], x[2]);
-  const Cage cage = make_cage(box()), turned = make_cage(viete::mesh::from_triangles(box().positions, t));
-  const auto posed = mapped(cage.surface.positions, shear());
-  const auto a = maps_of(cage, posed), b = maps_of(turned, posed);
-  for (std::size_t e = 0; e < a.size(); ++e) {
-    CHECK(largest_difference(a[e].linear, b[e].linear) < 1e-14);
-  }
-}
-
-TEST_CASE("elements_without_area_have_defined_maps") {
-  const Cage cage = make_cage(flat_element());
-  CHECK(maps_of(cage, cage.surface.positions)[1].linear == unity);
-  const std::vector<viete::mesh::Point> posed(4, {5, 5, 5});
-  const auto maps = maps_of(cage, posed);
-  CHECK(maps[0].linear == viete::sym3::Mat3<double>{});
-  CHECK(maps[1].linear == unity);
-}
-
-namespace {
-
 // Returns rotations by at most 180 degrees, multiplied by stretches from 0.5 to 2.
 std::vector<AffineMap> maps(std::size_t count) {
   Random random(3);
@@ -96,7 +41,84 @@ std::array<double, 6> six(const viete::sym3::Sym3<double>& s) {
   return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
 }
 
+struct Logs {
+  std::vector<MapLog> logs;
+  LogReport report;
+};
+
+Logs logs_of(const Cage& cage, const std::vector<AffineMap>& maps, const std::vector<Vec3>& turns = {}) {
+  std::vector<MapSplit> splits(maps.size());
+  split_maps(maps, first(maps.size()), splits);
+  Logs result{std::vector<MapLog>(maps.size()), {}};
+  log_maps(cage, maps, splits, turns, result.logs, result.report);
+  return result;
+}
+
+Logs logs_of(const Cage& cage, const std::vector<viete::mesh::Point>& posed,
+             const std::vector<Vec3>& turns = {}) {
+  return logs_of(cage, maps_of(cage, posed), turns);
+}
+
+double angle_from(const Vec3& y, const Vec3& axis) {
+  return dot(y, axis) / norm(axis) / degree;
+}
+
+double determinant(const Matrix& m) {
+  return dot({m[0], m[1], m[2]}, cross({m[3], m[4], m[5]}, {m[6], m[7], m[8]}));
+}
+
+Matrix stretch(const Polar& p) {
+  return times(times(p.axes, diagonal(p.stretches)), transposed(p.axes));
+}
+
 }  // namespace
+
+TEST_CASE("unmoved_elements_have_exactly_the_identity") {
+  const Cage cage = make_cage(tube(9, 7, 0.31, 2.3));
+  for (const auto& map : maps_of(cage, cage.surface.positions)) CHECK(map.linear == unity);
+}
+
+TEST_CASE("a_map_takes_the_corners_of_its_element_to_their_posed_places") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  Random random(7);
+  auto posed = cage.surface.positions;
+  for (auto& p : posed) p = p + random.vector(0.5);
+  const auto maps = maps_of(cage, posed);
+  const Vec3 origin = pose_origin(cage, posed);
+  for (std::size_t e = 0; e < maps.size(); ++e)
+    for (const auto v : cage.surface.triangles[e]) {
+      const Vec3 image =
+          Affine{maps[e].linear, maps[e].center}(cage.surface.positions[v] - cage.centers[e]) + origin;
+      CHECK(norm(image - posed[v]) < 1e-14);
+    }
+}
+
+TEST_CASE("a_similarity_is_reproduced_off_the_plane_too") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    const auto map = similarity({1, -1, 2}, 2.2, scale, {scale, 0, 0});
+    for (const auto& m : maps_of(cage, mapped(cage.surface.positions, map)))
+      CHECK(largest_difference(m.linear, map.linear) < 1e-13 * scale);
+  }
+}
+
+TEST_CASE("orientation_of_an_element_does_not_change_its_map") {
+  auto t = box().triangles;
+  for (auto& x : t) std::swap(x[1], x[2]);
+  const Cage cage = make_cage(box()), turned = make_cage(viete::mesh::from_triangles(box().positions, t));
+  const auto posed = mapped(cage.surface.positions, shear());
+  const auto a = maps_of(cage, posed), b = maps_of(turned, posed);
+  for (std::size_t e = 0; e < a.size(); ++e) CHECK(largest_difference(a[e].linear, b[e].linear) < 1e-14);
+}
+
+TEST_CASE("elements_without_area_have_defined_maps") {
+  const Cage cage = make_cage(flat_element());
+  CHECK(maps_of(cage, cage.surface.positions)[1].linear == unity);
+  const std::vector<viete::mesh::Point> posed(4, {5, 5, 5});
+  const auto maps = maps_of(cage, posed);
+  CHECK(maps[0].linear == viete::sym3::Mat3<double>{});
+  CHECK(maps[1].linear == unity);
+}
 
 TEST_CASE("splits_in_vector_code_agree_with_singular_values") {
   const auto all = maps(301);
@@ -135,32 +157,6 @@ TEST_CASE("a_split_detects_maps_that_mirror_or_are_not_finite") {
   CHECK_FALSE(splits[1].least >= 0);
 }
 
-namespace {
-
-struct Logs {
-  std::vector<MapLog> logs;
-  LogReport report;
-};
-
-Logs logs_of(const Cage& cage, const std::vector<AffineMap>& maps, const std::vector<Vec3>& turns = {}) {
-  std::vector<MapSplit> splits(maps.size());
-  split_maps(maps, first(maps.size()), splits);
-  Logs result{std::vector<MapLog>(maps.size()), {}};
-  log_maps(cage, maps, splits, turns, result.logs, result.report);
-  return result;
-}
-
-Logs logs_of(const Cage& cage, const std::vector<viete::mesh::Point>& posed,
-             const std::vector<Vec3>& turns = {}) {
-  return logs_of(cage, maps_of(cage, posed), turns);
-}
-
-double angle_from(const Vec3& y, const Vec3& axis) {
-  return dot(y, axis) / norm(axis) / degree;
-}
-
-}  // namespace
-
 TEST_CASE("an_unmoved_cage_has_zero_logs_and_nothing_to_report") {
   const Cage cage = make_cage(tube(9, 7, 0.3, 2));
   const auto [logs, report] = logs_of(cage, cage.surface.positions);
@@ -178,14 +174,13 @@ TEST_CASE("parts_that_turn_together_have_the_same_log_also_at_180_degrees") {
   const Cage cage = make_cage(surface);
   REQUIRE(cage.roots.size() == 3);
   Random random(8);
-  for (const double angle : {1.0, 90.0, 179.9999, 180.0, 180.0001, 270.0}) {
+  for (const double angle : {1.0, 90.0, 179.9999, 180.0, 180.0001, 270.0})
     for (int n = 0; n < 10; ++n) {
       const auto map = similarity(random.vector(1), angle * degree, 2, {1, 2, 3});
       const auto [logs, report] = logs_of(cage, mapped(surface.positions, map));
       for (const auto& l : logs) CHECK(norm(l.rotation - logs[0].rotation) < 1e-12);
       CHECK(report.torn.empty());
     }
-  }
 }
 
 TEST_CASE("winding_with_turns_passed_on_counts_to_720_degrees_and_back_to_zero") {
@@ -272,18 +267,6 @@ TEST_CASE("neighbours_turned_by_more_than_120_degrees_are_reported_as_torn") {
     CHECK(logs_of(cage, posed).report.torn.size() == count);
   }
 }
-
-namespace {
-
-double determinant(const Matrix& m) {
-  return dot({m[0], m[1], m[2]}, cross({m[3], m[4], m[5]}, {m[6], m[7], m[8]}));
-}
-
-Matrix stretch(const Polar& p) {
-  return times(times(p.axes, diagonal(p.stretches)), transposed(p.axes));
-}
-
-}  // namespace
 
 TEST_CASE("rotation_times_stretch_is_the_matrix") {
   Random random(6);

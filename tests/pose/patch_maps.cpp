@@ -1,7 +1,7 @@
 #include "pose/patch_maps.h"
 
-#include "pose/all_maps.h"
 #include "deform/bound.h"
+#include "pose/all_maps.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -22,7 +22,7 @@ std::vector<mesh::Surface> solid_cages() {
 }  // namespace
 
 TEST_CASE("an_affine_pose_is_the_map_of_every_patch") {
-  for (const auto& surface : solid_cages()) {
+  for (const auto& surface : solid_cages())
     for (const double size : {1e-30, 1.0, 1e30}) {
       const auto scaled = mapped(surface, scaling(size));
       const Cage cage = make_cage(scaled);
@@ -31,7 +31,6 @@ TEST_CASE("an_affine_pose_is_the_map_of_every_patch") {
       for (const auto& m : patch_maps_of(cage, mapped(scaled.positions, map)))
         CHECK(largest_difference(m.linear, map.linear) < 2e-13);
     }
-  }
 }
 
 TEST_CASE("patches_are_least_squares_fits_weighted_by_distance") {

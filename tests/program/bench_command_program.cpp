@@ -133,7 +133,7 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
     const auto tables = nlohmann::json::parse(file_bytes(json))["tables"];
     REQUIRE(tables.size() == 5);
     const double u = *precision ? 0x1p-24 : 0x1p-53;
-    for (const auto& table : tables) {
+    for (const auto& table : tables)
       for (const auto& row : table["rows"]) {
         const auto& fast = row["methods"]["Fast"];
         const double spread =
@@ -141,7 +141,6 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
         CHECK(fast["nan"] == 0);
         CHECK(fast["worst"] <= (8 + 2.5 * spread) * u);
       }
-    }
     CHECK(tables[0]["rows"][6]["methods"]["ISD unguarded"]["nan"] == 1);
     CHECK(tables[2]["rows"][4]["methods"]["SD"]["worst"] > 1e4 * u);
   }

@@ -9,7 +9,7 @@
 #include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver;
+using test::Dragon, test::Driver;
 
 namespace {
 
@@ -52,7 +52,6 @@ struct Maker : Driver {
   void pull_vertex() {
     const auto v = free_vertex();
     drag(vertex(v), vertex(v) + glm::vec2(40, -30));
-    frame(2);
   }
 };
 
@@ -72,7 +71,7 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
       return y;
     };
     const float bottom = v.origin.y + v.size.y, offer = bottom - workspace::offer_height(d.workspace());
-    const auto beside = d.viewer().recorder().find("open_cage_beside");
+    const auto beside = d.recorder().find("open_cage_beside");
     REQUIRE(beside);
     CHECK(beside->y0 - 94 < offer);  // three lines of text are above the button
     CHECK(offer < beside->y0 - 60);
@@ -94,7 +93,7 @@ TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   d.check_encloses();
   CHECK(d.document().cage()->element_count() == 200);
   CHECK(test::edit_count(d.document().history()) == 1);
-  CHECK_FALSE(d.viewer().recorder().find("hide_cage_offer"));
+  CHECK_FALSE(d.recorder().find("hide_cage_offer"));
   d.click("finish_cage");
   CHECK_FALSE(d.workspace().making.open);
   d.pull_vertex();
@@ -105,10 +104,9 @@ TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   d.press_key('Z', true);
   CHECK_FALSE(d.document().has_cage());
   d.frame(2);
-  CHECK(d.viewer().recorder().find("hide_cage_offer"));
+  CHECK(d.recorder().find("hide_cage_offer"));
   d.press_key('Z', true, true);
   d.press_key('Z', true, true);
-  d.frame(2);
   d.viewer().finish_binding();
   d.frame(2);
   CHECK(d.document().cage() == cage);
@@ -129,7 +127,6 @@ TEST_CASE("cage_sliders_change_the_same_edit_and_cancel_undoes_it") {
   d.check_encloses();
   CHECK(test::edit_count(d.document().history()) == 1);
   d.click("cancel_cage");
-  d.frame(2);
   CHECK_FALSE(d.document().has_cage());
   CHECK_FALSE(d.document().history().can_undo());
 }
@@ -140,7 +137,7 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
   bool stays = true;
   SUBCASE("done") {
     d.click("finish_cage");
-    CHECK_FALSE(d.viewer().recorder().find("finish_cage"));
+    CHECK_FALSE(d.recorder().find("finish_cage"));
     stays = false;
   }
   SUBCASE("stopped") {
@@ -166,8 +163,7 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
 }
 
 TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
-  Driver d;
-  d.open_dragon("pose_alert");
+  Dragon d("pose_alert");
   const auto cage = d.document().cage();
   const auto pose = d.document().pose().positions;
   workspace::find_command("set_key")->run(d.workspace());
@@ -176,11 +172,10 @@ TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   d.frame(3);
   CHECK(d.document().cage() != cage);
   CHECK(d.document().cage_file().path.empty());
-  CHECK(d.viewer().recorder().find("making_lost"));  // the key no longer exists
+  CHECK(d.recorder().find("making_lost"));  // the key no longer exists
   d.press_key('Z', true);
-  d.frame(2);
   CHECK(d.document().timeline().keys.size() == 1);
-  CHECK_FALSE(d.viewer().recorder().find("making_lost"));
+  CHECK_FALSE(d.recorder().find("making_lost"));
   CHECK(d.document().cage() == cage);
   CHECK(d.document().pose().positions == pose);
   CHECK_FALSE(d.document().cage_file().path.empty());
@@ -220,11 +215,9 @@ TEST_CASE("failed_cage_generation_shows_an_error_and_changes_nothing") {
 }
 
 TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_stays") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   const auto before = d.document().cage()->surface.positions;
   d.press_key(workspace::Key::tab);
-  d.frame(3);
   const auto v = d.free_vertex();
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(40, -30));
   d.frame(2);
@@ -241,7 +234,6 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
   CHECK(d.document().cage()->surface.positions[v] != before[v]);
   d.press_key(workspace::Key::tab);
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(30, 20));
-  d.frame(2);
   CHECK(d.drawn_error() < 2e-5);
   while (d.document().history().can_undo()) d.press_key('Z', true);
   CHECK(d.document().cage()->surface.positions == before);

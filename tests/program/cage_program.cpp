@@ -46,12 +46,12 @@ TEST_CASE("a_cage_beyond_the_files_precision_is_not_written") {
   for (auto& p : far.positions) p = {1e50 * (p[0] - 1e7), 1e50 * p[1], 1e50 * p[2]};
   formats::write(files / "large.obj", far);
   for (const char* model : {"far.obj", "large.obj"}) {
-    files.refused(std::string("cage ") + model + " --triangles 60 -o made.glb", 1,
+    files.refused(std::string("cage ") + model + " --kind box -o made.glb", 1,
                   "made.glb: glTF stores coordinates with 7 digits");
     CHECK_FALSE(fs::exists(files / "made.glb"));
     files.done(std::string("cage ") + model + " --triangles 60 -o made.ply --force");
   }
-  files.done("cage model.obj --triangles 60 -o made.glb");
+  files.done("cage model.obj --kind box -o made.glb");
 }
 
 TEST_CASE("invalid_cage_settings_and_models_give_an_error") {

@@ -41,7 +41,7 @@ struct Checked : test::SmallScene {
   // True if the widget is in the view and not in a column.
   bool shows(const std::string& widget) {
     d.frame(2);
-    const auto rect = d.viewer().recorder().find(widget);
+    const auto rect = d.recorder().find(widget);
     const auto& v = d.workspace().view.viewport;
     return rect && rect->visible && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x &&
            rect->y1 < v.origin.y + v.size.y;
@@ -51,12 +51,11 @@ struct Checked : test::SmallScene {
     d.settle();
     const auto picture = d.picture();
     int count = 0;
-    for (int y = 0; y < 760; ++y) {
+    for (int y = 0; y < 760; ++y)
       for (int x = 330; x < 1280; ++x) {
         const auto p = picture.pixel(x, y);
         count += p[0] > 190 && p[1] < 130 && p[2] > 90;
       }
-    }
     return count;
   }
 };
@@ -67,7 +66,7 @@ TEST_CASE("a_click_on_a_finding_highlights_its_elements_which_follow_the_cage") 
   Checked c(test::with_pixels);
   Driver& d = c.d;
   CHECK(d.workspace().checks.findings.empty());
-  CHECK_FALSE(d.viewer().recorder().find("finding/0"));
+  CHECK_FALSE(d.recorder().find("finding/0"));
   c.open_cage(c.holed);
   const auto* open = c.find(document::Defect::open);
   REQUIRE(open);
@@ -102,10 +101,10 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   d.settle();
   CHECK(c.shows("make_cage"));
   CHECK_FALSE(c.shows("enclose_model"));
-  const float over_ground = d.viewer().recorder().find("hide_cage_offer")->y1;
+  const float over_ground = d.recorder().find("hide_cage_offer")->y1;
   d.run("map_displacement");
   CHECK(c.shows("hide_cage_offer"));
-  CHECK(d.viewer().recorder().find("hide_cage_offer")->y1 < over_ground - 40);  // above the legend
+  CHECK(d.recorder().find("hide_cage_offer")->y1 < over_ground - 40);  // above the legend
   d.run("map_none");
   c.open_cage(c.low);
   CHECK(c.shows("enclose_model"));

@@ -143,9 +143,8 @@ struct Desktop {
            test::build_dir().string() + "/viete\" --scale 1 " + arguments + "'";
   }
   std::optional<fs::path> screenshot() {
-    for (const auto& entry : fs::directory_iterator(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().extension() == ".png") return entry.path();
-    }
     return std::nullopt;
   }
 };

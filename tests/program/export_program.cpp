@@ -126,7 +126,6 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   d.run("save_animation");
   d.press_key('A', true);
   d.type((folder / "h_##.png").string());
-  d.frame(2);
   d.click("picture_light");
   REQUIRE(d.workspace().files.browser.pictures);
   CHECK_FALSE(d.workspace().files.browser.pictures->cage);
@@ -134,7 +133,6 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   d.workspace().files.browser.pictures->width = 200;
   d.workspace().files.browser.pictures->height = 120;
   d.press_key(workspace::Key::enter);
-  d.frame(2);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   const auto other = test::read_png(folder / "h_01.png");
   CHECK(other.width == 200);

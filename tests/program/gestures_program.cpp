@@ -1,17 +1,11 @@
-// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and painting.
+// Mouse and keyboard: the gizmo, typed numbers, soft selection, mirror, sets and painting.
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "document/pose_edit.h"
-#include "interact/shaping.h"
-#include "pose/deformer.h"
 #include "program/driver.h"
-#include "support/edits.h"
-#include "support/folder.h"
 #include "support/grips.h"
 #include "support/pictures.h"
-#include "ui/panels.h"
 #include "workspace/pointer.h"
 
 using namespace viete;
@@ -20,41 +14,12 @@ using Kind = interact::Constraint::Kind;
 
 namespace {
 
-struct Hand : Driver {
-  explicit Hand(std::optional<test::WithPixels> pixels = pictures_wanted())
-      : Driver(default_options(), pixels) {
-    open_dragon();
-  }
-
-  const std::vector<mesh::Point>& pose() { return document().pose().positions; }
-  const std::vector<mesh::Point>& rest() { return document().cage()->surface.positions; }
-  std::vector<std::uint32_t> moved() {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t v = 0; v < pose().size(); ++v)
-      if (pose()[v] != rest()[v]) all.push_back(v);
-    return all;
-  }
-  std::size_t edits() { return test::edit_count(document().history()); }
-  void select_whole_cage() {
-    press_key('A');
-    press_key('E');
-    frame(2);
-    CHECK(document().selection().size() == pose().size());
-  }
+struct Hand : test::Dragon {
+  using Dragon::Dragon;
   // Returns the model in double precision. The model drawn in single precision must agree.
   std::vector<mesh::Point> mesh() {
     CHECK(drawn_error() < 2e-5);
     return exact_positions();
-  }
-  void enter(const char* field, const char* number) {
-    type_in(field, number);
-    press_key(workspace::Key::enter);
-    frame(2);
-  }
-  void type_in(const char* field, const char* number) {
-    click(field);
-    press_key('A', true);
-    type(number);
   }
 };
 
@@ -100,38 +65,6 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
   CHECK(d.document().pose().turns[0][1] == doctest::Approx(degrees * radians).epsilon(1e-9));
 }
 
-TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
-  Hand d;
-  const auto advises = [&] {
-    d.move({1, 1});
-    d.move(workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0));
-    d.frame();
-    REQUIRE(d.workspace().view.interaction.handle);
-    return ui::mouse_text(d.workspace()).find("changes the model's shape slightly") != std::string::npos;
-  };
-  d.select_whole_cage();
-  CHECK_FALSE(advises());  // the cage is at rest
-  d.document().changed_pose().positions[0][0] += 1;
-  CHECK(advises());
-  d.document().put_deformer(pose::deformer_of(pose::Preset::mean_value));
-  CHECK_FALSE(advises());
-}
-
-TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
-  Hand d;
-  const auto v = d.free_vertex();
-  const glm::vec2 at = glm::round(d.vertex(v));
-  d.press_and_move(at, at + glm::vec2(30, 30));
-  const auto axes = d.workspace().view.options.axes;
-  d.key('X', true);  // if no drag is active, X is a shortcut
-  d.type("x");
-  d.key('X', false);
-  CHECK(d.workspace().view.options.axes == axes);
-  d.press_key(workspace::Key::escape);
-  d.button(0, false);
-  CHECK(d.moved().empty());
-}
-
 TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   Hand d;
   const auto v = d.free_vertex();
@@ -151,118 +84,6 @@ TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   CHECK(test::largest_distance(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
   d.enter("transform_y", "1e15");
   CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum for one step");
-}
-
-TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
-  Hand d;
-  const auto v = d.free_vertex();
-  d.click(glm::round(d.vertex(v)));
-  d.type_in("transform_y", "1.5");
-  d.frame(3);
-  CHECK(d.moved().empty());
-  d.click("transform_x");  // the field before transform_y
-  CHECK(d.pose()[v][1] == 1.5);
-  d.type_in("transform_y", "2");
-  d.click(glm::vec2(700, 60));
-  CHECK(d.document().selection().empty());
-  CHECK(d.pose()[v][1] == 2);  // the vertex that was selected before the click
-  d.press_key('Z', true);      // restores the selection
-  CHECK_FALSE(d.document().selection().empty());
-  CHECK(d.pose()[v][1] == 2);
-  d.press_key('Z', true);
-  CHECK(d.pose()[v][1] == 1.5);
-  d.type_in("transform_y", "9");
-  for (const bool panels : {false, true}) {
-    d.workspace().view.options.panels = panels;
-    d.frame(3);
-  }
-  CHECK_MESSAGE(d.pose()[v][1] == 1.5, "a hidden field applies nothing");
-  d.type_in("transform_y", "3");
-  d.click("strip/tool_scale");
-  CHECK(d.pose()[v][1] == 3);
-  CHECK(d.edits() == 2);
-}
-
-TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
-  Hand d;
-  const auto v = d.free_vertex();
-  d.press_key('J');
-  d.press_key(workspace::Key::escape);
-  CHECK_FALSE(d.workspace().view.interaction.placing_pivot);
-  CHECK(d.workspace().view.handling.pivot == document::Pivot::median);
-  d.press_key('J');
-  CHECK(d.workspace().view.interaction.placing_pivot);
-  d.click(d.vertex(v) + glm::vec2(3, 2));
-  CHECK_FALSE(d.workspace().view.interaction.placing_pivot);
-  CHECK(d.workspace().view.handling.pivot == document::Pivot::point);
-  CHECK(d.workspace().view.handling.point == d.pose()[v]);
-  CHECK(d.document().selection().empty());
-  d.select_whole_cage();
-  d.enter("transform_y", "90");
-  CHECK(d.pose()[v] == d.rest()[v]);
-  CHECK(d.moved().size() + 1 == d.pose().size());
-}
-
-TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_the_move") {
-  Hand d;
-  d.run("keys_blender");
-  const auto v = d.free_vertex();
-  d.click(d.vertex(v));
-  d.move(d.vertex(v) + glm::vec2(60, 60));
-  d.press_key('G');
-  REQUIRE(d.workspace().view.interaction.drag);
-  d.move(d.vertex(v) + glm::vec2(90, 50));
-  CHECK(d.moved() == std::vector<std::uint32_t>{v});
-  d.type("x");
-  d.type("2");
-  d.frame();
-  const auto is_applied = [&] { return std::abs(d.pose()[v][0] - d.rest()[v][0] - 2) < 1e-9; };
-  CHECK(is_applied());
-  CHECK(d.pose()[v][1] == d.rest()[v][1]);
-  d.click(d.vertex(v) + glm::vec2(90, 50));
-  CHECK_FALSE(d.workspace().view.interaction.drag);
-  CHECK(is_applied());
-  CHECK(d.edits() == 1);
-  d.press_key('G');
-  d.move({800, 300});
-  d.button(1, true);
-  d.button(1, false);
-  CHECK_FALSE(d.workspace().view.interaction.drag);
-  CHECK(is_applied());
-  CHECK(d.edits() == 1);
-}
-
-TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
-  Hand d;
-  d.press_key('A');
-  d.click("bend");
-  CHECK_FALSE(d.workspace().view.interaction.drag);
-  d.move({700, 300});
-  d.frame();
-  REQUIRE(d.workspace().view.interaction.drag);
-  const interact::Shaping seen = d.workspace().view.interaction.drag->grip().shaping;
-  const auto is_bent = [&](std::optional<glm::dvec3> axis, double degrees) {
-    interact::Shaping shaping = seen;
-    if (axis) shaping.hinge = *interact::hinge_near(seen, *axis);
-    std::vector<mesh::Point> expected = d.rest();
-    for (auto& p : expected) p = interact::shaped(shaping, degrees, p);
-    return test::largest_distance(d.pose(), expected) < 1e-9 * d.document().space().diagonal();
-  };
-  d.move({760, 300});
-  d.type("y");
-  d.frame();
-  CHECK(d.workspace().view.interaction.drag->readout() == "Bend Y 30.0\u00b0");
-  CHECK(is_bent(glm::dvec3(0, 1, 0), 30));
-  d.type("60");
-  CHECK(is_bent(glm::dvec3(0, 1, 0), 60));
-  d.type("y");  // the second y bends in the plane of the view again
-  d.frame();
-  CHECK(is_bent({}, 60));
-  d.type("Z");
-  d.press_key(workspace::Key::enter);
-  CHECK_FALSE(d.workspace().view.interaction.drag);
-  CHECK(is_bent(glm::dvec3(0, 0, 1), 60));
-  CHECK(d.edits() == 1);
 }
 
 TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_click_is_none") {
@@ -288,7 +109,7 @@ TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_clic
 }
 
 TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is_shown_when_it_matters") {
-  Hand d(test::with_pixels);
+  Hand d("", test::with_pixels);
   const auto picture_at = [&](glm::vec2 pointer) {
     d.move(pointer);
     d.frame(3);
@@ -326,7 +147,7 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
 }
 
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
-  Hand d(test::with_pixels);
+  Hand d("", test::with_pixels);
   const auto selected = [&] { return d.document().selection().size(); };
   // Counts the pixels that have the colour of selected vertices.
   const auto amber = [&] {
@@ -334,12 +155,11 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
     d.frame(2);
     const render::Image picture = d.picture();
     int count = 0;
-    for (int y = 0; y < picture.height - 30; ++y) {
+    for (int y = 0; y < picture.height - 30; ++y)
       for (int x = 330; x < picture.width - 330; ++x) {
         const auto p = picture.pixel(x, y);
         count += p[0] > 200 && p[1] > 130 && p[1] < 210 && p[2] < 90;
       }
-    }
     return count;
   };
   CHECK(amber() == 0);
@@ -367,7 +187,6 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.settle();
   const auto rest = d.document().model().surface->positions;
   d.press_key('D');
-  d.frame(2);
   CHECK_FALSE(workspace::gizmo_of(d.workspace()));
   const glm::vec2 middle = d.workspace().view.viewport.origin + 0.5f * d.workspace().view.viewport.size;
   d.move(middle);

@@ -128,13 +128,10 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   d.frame(3);
   CHECK(test::difference(before, d.picture(), 0) > 0);
   d.press_key(workspace::key('K'), true);
-  d.frame(2);
   d.type("wire");
-  d.frame(2);
-  CHECK(d.viewer().recorder().find("palette/toggle_wireframe"));
+  CHECK(d.recorder().find("palette/toggle_wireframe"));
   CHECK(d.viewer().views_drawn() == views);
   d.press_key(workspace::Key::enter);
-  d.frame();
   CHECK(d.viewer().views_drawn() > views);
   d.viewer().resize({690, 420}, 1);
   d.frame();

@@ -29,14 +29,13 @@ inline render::Image rest_picture(Driver& d) {
   d.workspace().panels.has_user = true;
   render::Image picture = d.picture();
   const auto& v = d.workspace().view.viewport;
-  for (int y = 0; y < picture.height; ++y) {
+  for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
       const glm::vec2 in_view = glm::vec2(x, y) - v.origin;
       const bool seen = in_view.x >= 0 && in_view.y >= 0 && in_view.x < v.size.x && in_view.y < v.size.y;
       if (!seen)
         std::fill_n(picture.rgba.begin() + 4 * (std::ptrdiff_t(y) * picture.width + x), 4, std::uint8_t{0});
     }
-  }
   return picture;
 }
 

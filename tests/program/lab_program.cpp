@@ -15,12 +15,12 @@
 
 using namespace viete;
 using analysis::Field;
-using test::Driver;
+using test::Dragon, test::Driver;
 
 namespace {
 
 void choose_map(Driver& d, const char* word) {
-  if (!d.viewer().recorder().find("map")) d.click("section/Map");
+  if (!d.recorder().find("map")) d.click("section/Map");
   d.choose("map", std::string("map_") + word);
   d.settle();
 }
@@ -53,8 +53,7 @@ double error_of_side(Driver& d, std::size_t side) {
 }  // namespace
 
 TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
-  Driver d(test::with_pixels);
-  d.open_dragon("pose_alert");
+  Dragon d("pose_alert", test::with_pixels);
   d.press_key(workspace::key('C'));  // hides the cage
   d.settle();
   const auto plain = d.picture();
@@ -83,8 +82,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
 }
 
 TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   choose_map(d, "displacement");
   auto& view = d.workspace().view;
   CHECK(view.split.views[0].shown.stats.most < 1e-6);
@@ -112,8 +110,7 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
 }
 
 TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") {
-  Driver d;
-  d.open_dragon("", test::bundled_dragon);
+  Dragon d("", test::bundled_dragon);
   choose_map(d, "influence");
   CHECK(d.workspace().view.split.views[0].shown.stats.most == 0);
   d.press_key('A');
@@ -148,8 +145,7 @@ TEST_CASE("a_map_has_a_legend_in_small_views") {
 }
 
 TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
-  Driver d;
-  d.open_dragon("pose_alert");
+  Dragon d("pose_alert");
   d.document().put_deformer(pose::deformer_of(pose::Preset::smooth));
   d.settle();
   d.click("section/Views");
@@ -213,8 +209,7 @@ TEST_CASE("closing_views_brings_back_the_camera_and_the_colour_range") {
 }
 
 TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   workspace::split_view(d.workspace(), 2);
   d.settle();
   const auto& v = d.workspace().view.viewport;
@@ -240,8 +235,7 @@ TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document
 }
 
 TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
-  Driver d(test::with_pixels);
-  d.open_dragon("pose_alert");
+  Dragon d("pose_alert", test::with_pixels);
   d.move(d.workspace().view.viewport.origin + glm::vec2(200, 12));
   d.press_key('Y', false, false, true);  // no vertex is under the pointer
   CHECK_FALSE(d.workspace().view.vertex.vertex);
@@ -279,8 +273,8 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.press_key('Y', false, false, true);
   d.settle();
   REQUIRE(d.workspace().view.vertex.vertex);
-  REQUIRE(d.viewer().recorder().find("drop_vertex"));
-  CHECK(d.viewer().recorder().find("drop_vertex")->visible);
+  REQUIRE(d.recorder().find("drop_vertex"));
+  CHECK(d.recorder().find("drop_vertex")->visible);
   const double degrees = d.workspace().view.vertex.degrees;
   d.press_key(workspace::key('R'), true);  // resets the pose
   document::reset_pose(d.document());
@@ -290,8 +284,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
 }
 
 TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   std::vector<std::string> warnings;
   const auto coil =
       pose::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage(), warnings);
@@ -319,8 +312,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
 }
 
 TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   d.workspace().view.options.field = Field::influence;
   d.document().changed_selection() = document::Selection(document::ElementKind::probe);
   d.settle();
@@ -341,8 +333,7 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
 }
 
 TEST_CASE("while_the_cage_itself_is_changed_all_views_stay_at_rest") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   workspace::split_view(d.workspace(), 2);
   d.settle();
   workspace::find_command("edit_cage")->run(d.workspace());

@@ -1,4 +1,4 @@
-// Uses columns, menus, toasts and the palette by mouse and keys.
+// Preferences, menus of files, file dialogs and toasts by mouse and keys.
 #include <map>
 
 #include "document/record.h"
@@ -7,27 +7,17 @@
 #include "program/kept_work.h"
 #include "support/folder.h"
 #include "support/pictures.h"
-#include "workspace/menus.h"
 #include "workspace/preferences.h"
 #include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver, test::remembering;
+using test::Dragon, test::Driver, test::remembering;
 
 namespace {
-
-bool is_seen(Driver& d, const std::string& widget) {
-  const auto rect = d.viewer().recorder().find(widget);
-  return rect && rect->visible;
-}
 
 glm::vec2 empty_place(Driver& d) {
   const auto& v = d.workspace().view.viewport;
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
-}
-
-workspace::PanelLayout& layout(Driver& d) {
-  return d.workspace().preferences.layout;
 }
 
 void open_cube(Driver& d, const std::filesystem::path& folder) {
@@ -54,37 +44,16 @@ void check_refused(Driver& d, const std::filesystem::path& file) {
   const auto& browser = d.workspace().files.browser;
   CHECK(browser.open);
   CHECK(browser.path == file);
-  REQUIRE(d.viewer().recorder().find("file_problem"));
-  CHECK(d.viewer().recorder().find("file_problem")->y0 >= d.viewer().recorder().find("file_path")->y1);
+  REQUIRE(d.recorder().find("file_problem"));
+  CHECK(d.recorder().find("file_problem")->y0 >= d.recorder().find("file_path")->y1);
   CHECK(browser.problem.find("--") == std::string::npos);
   CHECK_FALSE(browser.problem.starts_with(file.string() + ": "));
   CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
   d.press_key(workspace::Key::escape);
-  d.frame(2);
   CHECK_FALSE(browser.open);
 }
 
 }  // namespace
-
-TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narrower") {
-  Driver d;
-  d.open_dragon();
-  const auto before = d.workspace().view.viewport;
-  d.drag({before.origin.x + 3, 60}, {before.origin.x + 83, 60});
-  CHECK(d.workspace().view.viewport.origin.x == doctest::Approx(before.origin.x + 80).epsilon(0.02));
-  CHECK(d.workspace().view.viewport.size.x < before.size.x - 70);
-  const float end = d.workspace().view.viewport.origin.x + d.workspace().view.viewport.size.x;
-  d.drag({end - 3, 60}, {end - 43, 60});
-  CHECK(layout(d).width[1] == doctest::Approx(360).epsilon(0.02));
-  CHECK(d.document().selection().empty());
-  // A tab folds and unfolds its column.
-  for (const bool shown : {false, true}) {
-    d.click("tab/methods");
-    d.frame();
-    CHECK(is_seen(d, "method_diag") == shown);
-    CHECK((d.workspace().view.viewport.size.x > 800) == !shown);
-  }
-}
 
 TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
   const test::TemporaryFolder folder;
@@ -94,7 +63,6 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
     d.click("section/Map");
     d.click("tab/methods");
     d.press_key(workspace::key('T'));
-    d.frame(2);
     d.workspace().jobs.wishes.add(workspace::CloseProgram{});
     d.frame(2);
   }
@@ -105,15 +73,13 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
   CHECK(d.document().model().path == test::dragon);
   CHECK(d.document().cage_file().path == test::dragon_cage);
   CHECK_FALSE(d.workspace().view.options.dark);
-  CHECK_FALSE(d.viewer().recorder().find("method_diag"));
+  CHECK_FALSE(d.recorder().find("method_diag"));
   d.click("tab/methods");
-  d.frame(2);
-  CHECK(d.viewer().recorder().find("map"));
+  CHECK(d.recorder().find("map"));
 }
 
 TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
-  Driver d(test::with_pixels);
-  d.open_dragon();
+  Dragon d("", test::with_pixels);
   d.press_key(workspace::Key::f2);
   d.settle();
   const auto with_line = d.picture();
@@ -122,20 +88,7 @@ TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   CHECK(test::difference(with_line, d.picture(), 0) > 0);
   d.workspace().panels.has_user = true;
   d.press_key(workspace::Key::f2);
-  d.frame(2);
-  CHECK(is_seen(d, "open_model"));
-}
-
-TEST_CASE("a_menu_runs_a_command") {
-  Driver d;
-  d.open_dragon();
-  CHECK(d.workspace().view.options.grid);
-  d.choose("menu/View", "menu/toggle_grid");
-  CHECK_FALSE(d.workspace().view.options.grid);
-  d.frame(2);
-  CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // the menu is closed again
-  d.choose("menu/Deform", "menu/method_sd");
-  CHECK(d.document().method() == sym3::Method::sd);
+  CHECK(d.is_seen("open_model"));
 }
 
 TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
@@ -149,19 +102,17 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   }
   const auto menu = [&](const char* title, const char* list) {
     for (const char* name : {title, list}) {
-      const auto rect = d.viewer().recorder().find(std::string("menu/") + name);
+      const auto rect = d.recorder().find(std::string("menu/") + name);
       REQUIRE(rect);
       d.click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
-      d.frame(3);
     }
   };
   menu("Edit", "history");
-  const auto& recorder = d.viewer().recorder();
+  const auto& recorder = d.recorder();
   CHECK(recorder.find("history/60"));
   CHECK(recorder.find("history/10"));
   CHECK_FALSE(recorder.find("history/9"));
   d.click("history/45");
-  d.frame(2);
   CHECK(d.document().history().position() == 45);
   CHECK(workspace::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
   workspace::mark_saved(d.workspace());
@@ -172,100 +123,22 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   CHECK(d.document().model().path == file);
 }
 
-TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
-  Driver d;
-  d.open_dragon();
-  const auto camera = d.workspace().view.camera.pose();
-  const auto v = d.free_vertex();
-  d.click(d.vertex(v), 1);
-  d.frame(2);
-  CHECK(d.document().selection().contains(v));
-  CHECK(d.workspace().view.camera.pose() == camera);
-  d.click("menu/select_all");
-  CHECK(d.document().selection().size() == d.document().pose().positions.size());
-  d.frame(2);
-  d.drag(empty_place(d), empty_place(d) + glm::vec2(40, 5), 1);
-  d.frame(2);
-  CHECK_FALSE(d.workspace().view.camera.pose() == camera);
-  CHECK_FALSE(d.viewer().recorder().find("menu/select_all"));
-  // The menu adds a probe at the place where the menu was opened.
-  d.workspace().view.options.cage = false;
-  const auto& view = d.workspace().view.viewport;
-  d.click(view.origin + glm::vec2(0.5f, 0.62f) * view.size, 1);
-  d.frame(2);
-  d.click("menu/add_probe");
-  d.frame(2);
-  CHECK(d.document().probes().all.size() == 1);
-}
-
-TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
-  Driver d;
-  d.frame(3);
-  d.press_key(workspace::key('K'), true);
-  d.frame(2);
-  d.type("theme");
-  d.frame(2);
-  CHECK(is_seen(d, "palette/toggle_theme"));
-  const bool dark = d.workspace().view.options.dark;
-  d.press_key(workspace::Key::enter);
-  CHECK(d.workspace().view.options.dark != dark);
-  d.frame(2);
-  CHECK_FALSE(d.viewer().recorder().find("palette_text"));
-  d.press_key(workspace::Key::f3);
-  d.frame(2);
-  d.type("save");
-  d.frame(2);
-  const auto found = workspace::find_commands(d.workspace(), "save");
-  REQUIRE(found.size() > 2);
-  d.press_key(workspace::Key::down);
-  CHECK(d.workspace().panels.palette.highlighted == 1);
-  d.press_key(workspace::Key::up);
-  d.press_key(workspace::Key::up);
-  CHECK(d.workspace().panels.palette.highlighted == found.size() - 1);
-  d.press_key(workspace::Key::down);
-  CHECK_FALSE(found.front()->enabled(d.workspace()));
-  d.press_key(workspace::Key::enter);  // there is nothing to save
-  CHECK(d.workspace().panels.palette.open);
-  CHECK_FALSE(d.workspace().files.browser.open);
-  d.frame(3);
-  d.type("z");  // Enter does not end typing
-  CHECK(d.workspace().panels.palette.typed.ends_with('z'));
-  d.press_key(workspace::Key::escape);
-  CHECK_FALSE(d.workspace().panels.palette.open);
-}
-
-TEST_CASE("a_message_moves_no_button") {
-  Driver d;
-  d.open_dragon();
-  d.frame(3);
-  const auto before = *d.viewer().recorder().find("open_model");
-  d.workspace().messages.error("A message that stays");
-  d.frame(3);
-  const auto after = *d.viewer().recorder().find("open_model");
-  CHECK(before.y0 == after.y0);
-  CHECK(is_seen(d, "toast/0"));
-}
-
 TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
   const test::TemporaryFolder folder;
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   CHECK_FALSE(d.open({folder / "none.ply"}));
   d.frame(2);
-  CHECK(is_seen(d, "toast/0"));
+  CHECK(d.is_seen("toast/0"));
   SUBCASE("it is put away") {
     d.click("toast/0/close");
-    d.frame(2);
-    CHECK_FALSE(d.viewer().recorder().find("toast/0"));
+    CHECK_FALSE(d.recorder().find("toast/0"));
   }
   SUBCASE("a click shows the list") {
     d.click("toast/0");
-    d.frame(2);
-    CHECK(is_seen(d, "message/0"));
+    CHECK(d.is_seen("message/0"));
     d.click("clear_messages");
     CHECK(d.workspace().messages.all().empty());
     d.press_key(workspace::Key::escape);
-    d.frame(2);
     CHECK_FALSE(d.workspace().panels.show_messages);
   }
 }
@@ -273,28 +146,22 @@ TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
 TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unknown_formats_are_refused") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "a_folder");
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   d.workspace().files.saved.session = folder / "session.viete";  // exports suggest the folder of the session
   for (const char* name : {"first.obj", "second.obj"}) {
     d.press_key(workspace::key('P'), true, true);
-    d.frame(3);
     d.type((folder / name).string());
     d.press_key(workspace::Key::enter);
-    d.frame(2);
     CHECK(std::filesystem::exists(folder / name));
   }
   d.press_key(workspace::key('E'), true);
-  d.frame(3);
   d.type("arm.xyz");
   d.press_key(workspace::Key::enter);
-  d.frame(2);
   CHECK(d.workspace().files.browser.open);
   CHECK(d.workspace().files.browser.path == "arm.xyz");
-  CHECK(d.viewer().recorder().find("file_problem"));
+  CHECK(d.recorder().find("file_problem"));
   d.click("format_ply");
   d.press_key(workspace::Key::enter);
-  d.frame(2);
   CHECK_FALSE(d.workspace().files.browser.open);
   d.viewer().finish_exports();
   CHECK(std::filesystem::exists(folder / "arm.ply"));
@@ -330,15 +197,13 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
   check_refused(d, top / "text.viete");
   CHECK(test::file_bytes(top / "text.viete") == "a text");
   d.run("save_animation");
-  d.frame(3);
   d.type((top / "f_##.obj").string());
   d.press_key(workspace::Key::enter);  // asks before it exports
   CHECK_FALSE(d.workspace().jobs.exporting.running);
   CHECK(d.workspace().files.browser.open);
-  CHECK(d.viewer().recorder().find("file_replaces"));
+  CHECK(d.recorder().find("file_replaces"));
   CHECK(test::file_bytes(top / "f_01.obj") == "somebody else's");
   d.press_key(workspace::Key::enter);
-  d.frame(3);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK_FALSE(d.workspace().files.browser.open);
   CHECK(test::file_bytes(top / "f_01.obj") != "somebody else's");
@@ -355,8 +220,7 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
 
 TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_of_the_last_one") {
   const test::TemporaryFolder folder;
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
   document::Handling& hand = d.workspace().view.handling;
   hand.mirror = document::MirrorPlane::x;
@@ -378,15 +242,14 @@ TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_o
 }
 
 TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   for (const glm::ivec2 size : {glm::ivec2(1500, 1000), glm::ivec2(700, 420), glm::ivec2(1280, 700)}) {
     d.viewer().resize(size, 1);
     d.frame();
     for (int i = 0; i < 20 && d.viewer().wants_frame(); ++i) d.frame();
-    std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
+    std::map<std::string, ui::WidgetRect> before = d.recorder().all();
     d.frame(3);
-    for (const auto& [name, rect] : d.viewer().recorder().all()) {
+    for (const auto& [name, rect] : d.recorder().all()) {
       if (!before.contains(name)) continue;  // skips new widgets
       CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
     }
@@ -394,7 +257,7 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
       d.press_key('O', true);  // the file browser stays open in later rounds
     d.frame(3);
     for (const char* name : {"file_path", "file_choose"}) {
-      const auto rect = d.viewer().recorder().find(name);
+      const auto rect = d.recorder().find(name);
       REQUIRE(rect);
       CHECK(rect->x1 <= static_cast<float>(size.x));
       CHECK(rect->y1 <= static_cast<float>(size.y));

@@ -13,7 +13,7 @@ bool sees_loading_bar(Driver& d) {
   bool seen = false;
   d.frame();  // starts to read the file
   REQUIRE(d.until([&] {
-    seen = d.viewer().recorder().find("stop_work").has_value();
+    seen = d.recorder().find("stop_work").has_value();
     return seen || !d.viewer().loading();
   }));
   return seen;

@@ -8,7 +8,7 @@
 #include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver;
+using test::Dragon, test::Driver;
 namespace fs = std::filesystem;
 
 namespace {
@@ -58,7 +58,7 @@ void check(Driver& d, const char* what) {
   CAPTURE(what);
   d.move({1270, 1100});
   d.frame(2);
-  check_places(d.viewer().recorder().all(), {1280, 1500});
+  check_places(d.recorder().all(), {1280, 1500});
 }
 
 void check_questions(Driver& d) {
@@ -73,7 +73,7 @@ void check_questions(Driver& d) {
         workspace::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete")}) {
     w.files.question = question;
     check(d, question.title.c_str());
-    REQUIRE(d.viewer().recorder().find("question_cancel"));
+    REQUIRE(d.recorder().find("question_cancel"));
   }
   w.files.question.reset();
 }
@@ -112,7 +112,7 @@ void visit_panels(Driver& d) {
   d.press_key(workspace::key('A'));
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.frame(2);
-  REQUIRE(d.viewer().recorder().find("finding/0"));
+  REQUIRE(d.recorder().find("finding/0"));
   pose::Pose pose = d.document().pose();
   for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
   document::set_pose(d.document(), pose);
@@ -146,40 +146,6 @@ TEST_CASE("no_panel_leaves_the_window_or_covers_another_at_any_scale") {
   }
 }
 
-TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_view_nor_columns") {
-  for (const glm::ivec2 size : {glm::ivec2(512, 320), glm::ivec2(640, 400), glm::ivec2(1024, 640)}) {
-    auto options = Driver::default_options(size);
-    options.scale = 2;
-    Driver d(options);
-    d.open_dragon();
-    const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about_and_then_more.ply";
-    auto& w = d.workspace();
-    w.recovery.files = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
-    w.recovery.offered = true;
-    w.files.question = workspace::ask_before_closing(
-        workspace::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved edits cannot be saved here");
-    d.frame(5);
-    CAPTURE(size.x);
-    std::size_t seen = 0;
-    for (const auto& [widget, rect] : d.viewer().recorder().all()) {
-      if (!widget.starts_with("question_") && !on_notice_bar(widget)) continue;
-      CAPTURE(widget);
-      ++seen;
-      CHECK(rect.visible);
-      CHECK(rect.x0 >= 0);
-      CHECK(rect.x1 <= static_cast<float>(size.x));
-      CHECK(rect.y0 >= 0);
-      CHECK(rect.y1 <= (on_notice_bar(widget) ? w.view.viewport.origin.y : static_cast<float>(size.y)));
-    }
-    CHECK(seen == 8);
-    w.files.question.reset();
-    d.frame(3);
-    d.click("put_off_leftovers");
-    d.frame(3);
-    CHECK(w.view.viewport.origin.y == workspace::PanelLayout::menu_height);
-  }
-}
-
 TEST_CASE("names_in_other_scripts_are_drawn_if_a_font_of_the_system_has_them") {
   struct Names {
     const char *one, *other;
@@ -189,8 +155,7 @@ TEST_CASE("names_in_other_scripts_are_drawn_if_a_font_of_the_system_has_them") {
                        {"\u0639", "\u0641", {0x639, 0x641}},     // Arabic
                        {"\u4e2d", "\u56fd", {0x4e2d, 0x56fd}},   // Chinese, Japanese
                        {"\ud55c", "\uae00", {0xd55c, 0xae00}}};  // Korean
-  Driver d(test::with_pixels);
-  d.open_dragon();
+  Dragon d("", test::with_pixels);
   d.run("keep_pose");
   const auto shown = [&](const char* name) {
     document::rename_pose(d.document(), 0, name);

@@ -103,30 +103,27 @@ std::function<void(Driver&)> handles(const char* kind, const char* tool) {
 // Opens a textured sheet (glTF) in a box. The right end of the box is pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
   render::Image image{64, 64, {}};
-  for (int y = 0; y < 64; ++y) {
+  for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
       const bool stripe = (x / 8 + y / 16) % 2 == 0;
       const std::uint8_t pixel[] = {std::uint8_t(stripe ? 225 : 60), std::uint8_t(stripe ? 120 : 90 + y),
                                     std::uint8_t(stripe ? 50 : 170), 255};
       image.rgba.insert(image.rgba.end(), pixel, pixel + 4);
     }
-  }
   mesh::Surface sheet;
   formats::Attributes attributes;
   constexpr std::uint32_t n = 24;
-  for (std::uint32_t j = 0; j <= n; ++j) {
+  for (std::uint32_t j = 0; j <= n; ++j)
     for (std::uint32_t i = 0; i <= n; ++i) {
       sheet.positions.push_back({2.0 * i / n, 1 - 1.0 * j / n, 0.05});
       attributes.texture_points.push_back({1.0 * i / n, 1 - 1.0 * j / n});
     }
-  }
   std::vector<mesh::Triangle> triangles;
-  for (std::uint32_t j = 0; j < n; ++j) {
+  for (std::uint32_t j = 0; j < n; ++j)
     for (std::uint32_t i = 0; i < n; ++i) {
       const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1;
       triangles.insert(triangles.end(), {{a, c, b}, {b, c, c + 1}});
     }
-  }
   sheet = mesh::from_triangles(sheet.positions, triangles);
   attributes.corner_texture = sheet.corners;
   render::write_png(folder / "print.png", image);
@@ -288,7 +285,6 @@ void show_making(Driver& d) {
   d.workspace().making.wish.kind = document::CageKind::box;
   d.workspace().making.wish.cells = {3, 2, 2};
   d.click("make_cage");
-  d.frame();
   d.finish_making();
   d.frame(3);
   d.move({1, 1});

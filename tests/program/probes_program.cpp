@@ -20,7 +20,6 @@ struct ProbeHand : Driver {
   void place_probe() {
     move(head());
     press_key('P');
-    frame(2);
     settle();
     REQUIRE(document().probes().all.size() == 1);
   }
@@ -41,7 +40,6 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     const auto unmoved = d.exact_positions();
     // Drags the green arrow upward.
     d.press_key('W');
-    d.frame(2);
     const glm::vec2 tip = glm::floor(workspace::gizmo_of(d.workspace())->arms[1].tip);
     d.drag(tip, tip + glm::vec2(0, -60));
     d.settle();
@@ -52,7 +50,6 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     CHECK(d.drawn_error() < 2e-5);
     // Types a number during a rotation.
     d.press_key('E');
-    d.frame(2);
     const glm::vec2 ring =
         workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0);
     d.press_and_move(ring, ring + glm::vec2(0, 30));
@@ -82,7 +79,6 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   ProbeHand d(false);
   d.place_probe();
   d.click("section/Probes");
-  d.frame(2);
   d.choose("probe_turn", "probe_turn_sharp");
   CHECK(d.probe().turn.falloff == document::Falloff::sharp);
   const double radius = d.probe().move.radius;

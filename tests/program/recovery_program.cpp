@@ -68,21 +68,15 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
     CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
     CHECK(d.workspace().recovery.files.size() == 2);
     d.click("put_off_leftovers");
-    d.frame(3);
-    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
+    CHECK_FALSE(d.recorder().find("restore_leftover"));
     CHECK(sessions() == 2);
     d.press_key(workspace::key('B'), true);
-    d.frame(3);
     d.click("discard_leftovers");
-    d.frame(3);
     d.press_key(workspace::Key::enter);  // the button Cancel
-    d.frame(3);
     CHECK(sessions() == 2);
     d.click("discard_leftovers");
-    d.frame(3);
     d.click("question_save");
-    d.frame(3);
-    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
+    CHECK_FALSE(d.recorder().find("restore_leftover"));
   }
   CHECK(kept_files(state).empty());
 }
@@ -91,7 +85,6 @@ namespace {
 
 void quit(Driver& d) {
   d.press_key(workspace::key('Q'), true);
-  d.frame(3);
 }
 
 }  // namespace
@@ -132,26 +125,21 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   press(left, 2);
   press(right, 0);
   d.press_key(workspace::Key::escape);
-  d.frame(3);
   CHECK_FALSE(d.workspace().files.question);
   CHECK_FALSE(d.viewer().closed());
   CHECK(workspace::has_unsaved_edits(d.workspace()));
 
   ask();
   d.press_key(workspace::Key::enter);  // the button Save
-  d.frame(3);
   REQUIRE(d.workspace().files.browser.open);
   d.press_key(workspace::Key::escape);
-  d.frame(3);
   CHECK_FALSE(d.workspace().files.after_saving);
   CHECK_FALSE(d.viewer().closed());
 
   ask();
   d.click("question_save");
-  d.frame(3);
   REQUIRE(d.workspace().files.browser.open);
   d.press_key(workspace::Key::enter);
-  d.frame(3);
   CHECK(files::read_session(folder / "small.viete").pose.positions == posed);
   CHECK(d.viewer().closed());
 }

@@ -133,7 +133,6 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
   CHECK_FALSE(other.open({folder / "a.viete"}));
   other.frame(2);
   other.click("question_save");
-  other.frame(2);
   other.click("file/new.ply");
   other.click("file_choose");
   other.settle();
@@ -151,17 +150,14 @@ TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   CHECK(workspace::has_unsaved_edits(d.workspace()));
   const auto posed = d.document().pose().positions;
   d.press_key(workspace::key('S'), true);
-  d.frame(2);
   REQUIRE(d.workspace().files.browser.open);
   d.press_key(workspace::Key::enter);
-  d.frame(2);
   CHECK(fs::exists(folder / "small.viete"));
   CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
   d.press_key(workspace::key('R'), true);
   CHECK(workspace::has_unsaved_edits(d.workspace()));
 
   d.press_key(workspace::key('O'), true);
-  d.frame(2);
   d.type("small.v");
   d.press_key(workspace::Key::enter);
   d.settle();
@@ -177,13 +173,10 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   Driver d;
   d.workspace().preferences.folder = folder.path();
   d.press_key(workspace::key('O'), true);
-  d.frame(2);
   const fs::path top = d.workspace().files.browser.folder;
   d.press_key(workspace::Key::enter);
-  d.frame(2);
   CHECK(d.workspace().files.browser.folder == top / "a_folder");
   d.press_key(workspace::Key::backspace);
-  d.frame(2);
   CHECK(d.workspace().files.browser.folder == top);
   d.press_key(workspace::Key::down);
   d.press_key(workspace::Key::enter);

@@ -77,7 +77,6 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   for (const mesh::Point& at : {mesh::Point{0.05, 0.1, 0.2}, mesh::Point{0.75, 1.35, 0}}) {
     d.move(glm::floor(d.on_screen(at)));
     d.press_key('P', false, false, true);
-    d.frame(2);
   }
   d.settle();
   REQUIRE(d.document().probes().all.size() == 2);
@@ -86,7 +85,6 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   CHECK(pin.place == rest[pin.pin->vertex]);
   CHECK_FALSE(d.document().shape());
   d.press_key('Q');
-  d.frame(2);
   const glm::vec2 from = glm::floor(d.on_screen(document::probe_center(d.document(), 1)));
   d.press_and_move(from, from + glm::vec2(-50, 10));
   REQUIRE(d.document().shape());

@@ -35,7 +35,6 @@ struct Timed : Driver {
     go_to(at);
     open_pose(file);
     press_key('I');
-    frame(2);
   }
   void type_weight(const char* percent) {
     click("pose_weight/0/typed");
@@ -70,7 +69,7 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   const auto rest = d.pose();
   REQUIRE(rest == d.document().cage()->surface.positions);
 
-  const auto slider = d.viewer().recorder().find("pose_weight/0");
+  const auto slider = d.recorder().find("pose_weight/0");
   REQUIRE(slider);
   const glm::vec2 from{slider->x0 + 0.3f * (slider->x1 - slider->x0), 0.5f * (slider->y0 + slider->y1)};
   d.drag(from, {slider->x1 - 40, from.y});
@@ -108,8 +107,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   d.press_key(workspace::Key::right);
   CHECK(d.document().frame() == 1);  // the key has no effect while the timeline is hidden
   d.press_key('I');
-  d.frame(3);
-  CHECK(d.viewer().recorder().find("time/track"));
+  CHECK(d.recorder().find("time/track"));
   CHECK(d.workspace().messages.all().back().text == "Key set at frame 1.");
   d.press_key(workspace::Key::right);
   CHECK(d.document().frame() == 2);
@@ -123,7 +121,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   CHECK(d.document().library().poses.size() == 3);
   CHECK(d.workspace().playback.playing);
   d.frame(3);
-  CHECK(d.viewer().recorder().find("time/track"));
+  CHECK(d.recorder().find("time/track"));
   d.press_key(workspace::Key::space);
   REQUIRE_FALSE(d.workspace().playback.playing);
   // Sliders show the weights of the played pose. A typed weight changes the pose, and undo restores it.
@@ -173,7 +171,6 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   CHECK(document::key_at(d.timeline(), 30));
   CHECK_FALSE(document::key_at(d.timeline(), 24));
   d.click(d.on_track(30, keys), 1);
-  d.frame(3);
   d.click("key_menu/easing_hold");
   CHECK(document::key_at(d.timeline(), 30)->easing == Easing::hold);
   // While the pointer is over the timeline, Delete removes keys.

@@ -119,14 +119,13 @@ TEST_CASE("every_number_has_a_range_without_nan_and_infinity_and_says_it_in_shor
       {"bench frame --faces ", "needs a whole number from 8 to 10,000, not "},
       {"bench bind --rounds ", "needs a whole number from 1 to 1,000, not "},
       {"bench modes --radius ", "needs a number from 0.1 to 1000, not "}};
-  for (const auto& [line, range] : cases) {
+  for (const auto& [line, range] : cases)
     for (const char* bad : {"nan", "inf", "-inf", "-1", "1e400", "10000000000x", "0x10", "''"}) {
       const Outcome outcome = run(line + bad);
       CHECK(outcome.code == 2);
       CHECK_MESSAGE(mentions(outcome, range), (line + bad + "\n" + outcome.text));
       CHECK(outcome.text.size() < 200);
     }
-  }
   CHECK(run("bench exp --count 10000000000").code == 2);
   CHECK(mentions(run("bench frame --faces 8,nan"), "needs a whole number from 8 to 10,000, not nan"));
 }

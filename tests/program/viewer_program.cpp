@@ -12,7 +12,7 @@
 #include "workspace/command_tables.h"
 
 using namespace viete;
-using test::Driver, test::largest_distance;
+using test::Dragon, test::Driver, test::largest_distance;
 
 namespace {
 
@@ -58,8 +58,7 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
 }
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
-  Driver d(test::with_pixels);
-  d.open_dragon();
+  Dragon d("", test::with_pixels);
   const auto rest = positions(d);
   CHECK(largest_distance(rest, rest_of(d)) < 1e-13 * diagonal(d));
   const auto picture_before = d.picture();
@@ -85,15 +84,13 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   const glm::ivec2 at(d.on_screen(after[farthest]));
   const auto picture = d.picture();
   int changed = 0;
-  for (int y = at.y - 12; y <= at.y + 12; ++y) {
+  for (int y = at.y - 12; y <= at.y + 12; ++y)
     for (int x = at.x - 12; x <= at.x + 12; ++x) changed += picture.pixel(x, y) != picture_before.pixel(x, y);
-  }
   CHECK(changed > 20);
 }
 
 TEST_CASE("the_four_methods_are_clicked_and_agree") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   const auto v = d.free_vertex();
   d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
   const auto reference = positions(d);
@@ -137,7 +134,7 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
 TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   test::SmallScene small(Driver::default_options());
   Driver& d = small.d;
-  const auto shows = [&](const char* widget) { return d.viewer().recorder().find(widget).has_value(); };
+  const auto shows = [&](const char* widget) { return d.recorder().find(widget).has_value(); };
   const auto& deformer = d.document().deformer();
   for (const auto preset : base::all_values<pose::Preset>()) {
     CAPTURE(base::entry_of(preset).word);
@@ -150,7 +147,6 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   }
   CHECK(test::edit_count(d.document().history()) == choices(pose::Preset{}).size());
   d.click("section/Custom deformer");
-  d.frame(2);
   d.choose("blend", "blend_linear");
   d.settle();
   CHECK_FALSE(pose::preset_of(deformer));
@@ -162,7 +158,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   Driver& d = small.d;
   const auto is_enabled = [&](const char* widget) {
     d.place_of(widget);
-    return d.viewer().recorder().find(widget)->enabled;
+    return d.recorder().find(widget)->enabled;
   };
   d.choose("weights", "weights_mean_value");
   d.settle();
@@ -182,12 +178,11 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   CHECK(weighting.radius < 0.25);
   d.choose("weights", "weights_biharmonic");
   d.settle();
-  CHECK_FALSE(d.viewer().recorder().find("radius"));
+  CHECK_FALSE(d.recorder().find("radius"));
 }
 
 TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_own") {
-  Driver d;
-  d.open_dragon();
+  Dragon d;
   const auto start = d.workspace().view.camera.pose();
   d.move({160, 500});  // the pointer is over a panel
   d.wheel(-3);

@@ -27,9 +27,7 @@ TEST_CASE("grid_lies_behind_the_model_and_fades_out") {
     draw_model();
     draw_grid();
   });
-  for (int y = 0; y < 200; ++y) {
-    for (int x = 0; x < 320; ++x) {
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 320; ++x)
       if (test::brightness(model.pixel(x, y)) > 0) CHECK_EQ(both.pixel(x, y), model.pixel(x, y));
-    }
-  }
 }

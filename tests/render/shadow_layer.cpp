@@ -23,6 +23,37 @@ double darkness_at(const GroundShadow& s, float x, float y) {
   return s.darkness[static_cast<std::size_t>(cell.y) * s.width + cell.x] / 255.0;
 }
 
+// A ball on the ground. The background is white.
+struct Standing {
+  explicit Standing(int up) : shadow(stage.gl), backdrop(stage.gl) {
+    glm::dvec3 middle(0);
+    middle[up] = 2;
+    ball = test::ball(2, {middle.x, middle.y, middle.z});
+    shadow.set_triangles(ball.triangles, ball.positions);
+    style.up = up;
+    style.size = 4;
+  }
+  render::Image seen_from(const glm::dvec3& eye, const glm::dvec3& up) {
+    stage.view.view = glm::lookAt(eye, glm::dvec3(0), up);
+    render::Theme theme = render::light_theme();
+    theme.background_top = theme.background_bottom = glm::vec3(1);
+    return stage.picture([&] {
+      backdrop.draw(theme);
+      shadow.draw(stage.view, theme, style);
+    });
+  }
+
+  test::Stage stage;
+  render::ShadowLayer shadow;
+  render::Backdrop backdrop;
+  render::ShadowStyle style;
+  test::Ball ball;
+};
+
+int darkest(const render::Image& image) {
+  return *std::ranges::min_element(image.rgba);
+}
+
 }  // namespace
 
 TEST_CASE("shadow_is_dark_below_contact_and_faint_below_height") {
@@ -48,13 +79,12 @@ TEST_CASE("squares_of_a_shadow_cover_all_that_is_dark") {
   const GroundShadow shadow = render::ground_shadow(square(0, 0, 0.1F), 1);
   constexpr int side = GroundShadow::square;
   CHECK(shadow.squares.size() < std::size_t(shadow.width / side) * std::size_t(shadow.height / side));
-  for (int y = 0; y < shadow.height; ++y) {
+  for (int y = 0; y < shadow.height; ++y)
     for (int x = 0; x < shadow.width; ++x) {
       if (shadow.darkness[static_cast<std::size_t>(y) * shadow.width + x] < 2) continue;
       const std::array<std::uint32_t, 2> square{std::uint32_t(x / side), std::uint32_t(y / side)};
       CHECK(std::ranges::count(shadow.squares, square) == 1);
     }
-  }
 }
 
 TEST_CASE("points_are_spread_over_triangles_by_their_areas") {
@@ -91,41 +121,6 @@ TEST_CASE("points_beyond_the_grid_cast_no_shadow") {
       CHECK(render::ground_shadow(std::vector{glm::vec3(far, far, 0)}, size).width <= 300);
   }
 }
-
-namespace {
-
-// A ball on the ground. The background is white.
-struct Standing {
-  explicit Standing(int up) : shadow(stage.gl), backdrop(stage.gl) {
-    glm::dvec3 middle(0);
-    middle[up] = 2;
-    ball = test::ball(2, {middle.x, middle.y, middle.z});
-    shadow.set_triangles(ball.triangles, ball.positions);
-    style.up = up;
-    style.size = 4;
-  }
-  render::Image seen_from(const glm::dvec3& eye, const glm::dvec3& up) {
-    stage.view.view = glm::lookAt(eye, glm::dvec3(0), up);
-    render::Theme theme = render::light_theme();
-    theme.background_top = theme.background_bottom = glm::vec3(1);
-    return stage.picture([&] {
-      backdrop.draw(theme);
-      shadow.draw(stage.view, theme, style);
-    });
-  }
-
-  test::Stage stage;
-  render::ShadowLayer shadow;
-  render::Backdrop backdrop;
-  render::ShadowStyle style;
-  test::Ball ball;
-};
-
-int darkest(const render::Image& image) {
-  return *std::ranges::min_element(image.rgba);
-}
-
-}  // namespace
 
 TEST_CASE("shadow_is_on_the_ground_below_the_model_whichever_axis_is_up") {
   for (const int up : {1, 2}) {

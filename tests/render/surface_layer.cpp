@@ -25,6 +25,40 @@ struct Scene {
   render::Theme theme = render::dark_theme();
 };
 
+// Two triangles, 16 units wide and high. The texture has a red, a green, a blue and a transparent quarter.
+struct Card : Scene {
+  Card()
+      : Scene({{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
+               std::vector<base::PackedNormal>(4),
+               {{0, 1, 2}, {0, 2, 3}}}) {
+    looks.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
+    render::Image image{64, 64, {}};
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const bool right = x >= 32, lower = y >= 32;
+        const std::uint8_t opacity = right && lower ? 0 : 255;
+        const std::uint8_t all[] = {std::uint8_t(right || lower ? 20 : 230), std::uint8_t(right ? 230 : 20),
+                                    std::uint8_t(lower ? 230 : 20), opacity};
+        image.rgba.insert(image.rgba.end(), all, all + 4);
+      }
+    looks.images = {image};
+    looks.runs = {{.triangles = 2, .image = 0}};
+  }
+
+  render::Image painted(render::Paint paint) {
+    surface.set_looks(looks);
+    return picture({.paint = paint});
+  }
+
+  render::SurfaceLooks looks;
+};
+
+bool mostly(const render::Rgba8& pixel, std::size_t channel) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (k != channel && 2 * pixel[k] > pixel[channel]) return false;
+  return pixel[channel] > 60;
+}
+
 }  // namespace
 
 TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
@@ -36,27 +70,20 @@ TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
   CHECK(test::difference(plain, scene.picture({.closed = true}), 1) < 0.001);
 }
 
-TEST_CASE("vertices_that_a_gpu_copies_from_staging_memory_draw_the_same_picture") {
-  Scene direct(test::ball(7)), staged(test::ball(7));
-  REQUIRE(bool(staged.stage.gl.BufferStorage));
-  staged.stage.gl.software = false;
-  for (const int step : {1, 2, 3}) {
-    auto moved = test::ball(7, {3.0 * step, 0, 0});
-    for (Scene* scene : {&direct, &staged}) scene->surface.set_positions(moved.positions, moved.normals);
-    const render::Image picture = direct.picture();
-    CHECK(test::count_not_black(picture) > 10'000);
-    CHECK(staged.picture().rgba == picture.rgba);
+TEST_CASE("vertices_that_a_gpu_copies_from_staging_memory_or_gets_directly_draw_the_same_picture") {
+  for (const bool memory : {true, false}) {
+    Scene direct(test::ball(7)), staged(test::ball(7));
+    REQUIRE(bool(staged.stage.gl.BufferStorage));
+    staged.stage.gl.software = false;
+    if (!memory) staged.stage.gl.BufferStorage = [](GLenum, GLsizeiptr, const void*, GLbitfield) {};
+    for (const int step : {1, 2, 3}) {
+      auto moved = test::ball(7, {3.0 * step, 0, 0});
+      for (Scene* scene : {&direct, &staged}) scene->surface.set_positions(moved.positions, moved.normals);
+      const render::Image picture = direct.picture();
+      CHECK(test::count_not_black(picture) > 10'000);
+      CHECK(staged.picture().rgba == picture.rgba);
+    }
   }
-}
-
-TEST_CASE("without_staging_memory_a_gpu_gets_vertices_directly") {
-  Scene direct(test::ball(7)), staged(test::ball(7));
-  staged.stage.gl.software = false;
-  staged.stage.gl.BufferStorage = [](GLenum, GLsizeiptr, const void*, GLbitfield) {};  // no memory
-  const auto moved = test::ball(7, {3, 0, 0});
-  for (Scene* scene : {&direct, &staged}) scene->surface.set_positions(moved.positions, moved.normals);
-  const render::Image picture = direct.picture();
-  CHECK(staged.picture().rgba == picture.rgba);
 }
 
 TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
@@ -91,12 +118,11 @@ TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belong
   scene.stage.view.projection = shift * scene.stage.view.projection;
   const render::Image shifted = scene.picture();
   std::size_t differing = 0;
-  for (int y = 0; y < 200; ++y) {
+  for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 240; ++x) {
       const int change = test::brightness(shifted.pixel(x, y)) - test::brightness(middle.pixel(x + 80, y));
       differing += std::abs(change) > 6 ? 1 : 0;
     }
-  }
   CHECK(test::count_not_black(middle) > 5000);
   CHECK(differing < 50);
 }
@@ -166,46 +192,6 @@ TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
   looks.runs = {{.triangles = 3}};
   CHECK_THROWS_AS(surface.set_looks(looks), base::Error);
 }
-
-namespace {
-
-// Two triangles, 16 units wide and high. The texture has a red, a green, a blue and a transparent quarter.
-struct Card : Scene {
-  Card()
-      : Scene({{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
-               std::vector<base::PackedNormal>(4),
-               {{0, 1, 2}, {0, 2, 3}}}) {
-    looks.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
-    render::Image image{64, 64, {}};
-    for (int y = 0; y < 64; ++y) {
-      for (int x = 0; x < 64; ++x) {
-        const bool right = x >= 32, lower = y >= 32;
-        const std::uint8_t opacity = right && lower ? 0 : 255;
-        const std::uint8_t all[] = {std::uint8_t(right || lower ? 20 : 230), std::uint8_t(right ? 230 : 20),
-                                    std::uint8_t(lower ? 230 : 20), opacity};
-        image.rgba.insert(image.rgba.end(), all, all + 4);
-      }
-    }
-    looks.images = {image};
-    looks.runs = {{.triangles = 2, .image = 0}};
-  }
-
-  render::Image painted(render::Paint paint) {
-    surface.set_looks(looks);
-    return picture({.paint = paint});
-  }
-
-  render::SurfaceLooks looks;
-};
-
-bool mostly(const render::Rgba8& pixel, std::size_t channel) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (k != channel && 2 * pixel[k] > pixel[channel]) return false;
-  }
-  return pixel[channel] > 60;
-}
-
-}  // namespace
 
 TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
   Card card;

@@ -26,10 +26,6 @@ bool is_source(const fs::path& path) {
   return e == ".h" || e == ".cpp" || e == ".hpp" || e == ".inl";
 }
 
-}  // namespace
-
-namespace {
-
 // Calls use(room, path, text) for each file of a room. Paths are relative to src.
 template <class Use>
 void for_sources(const Use& use) {

@@ -44,6 +44,22 @@ std::vector<std::string> sentences_of(const std::string& text) {
   return sentences;
 }
 
+// Returns the cells of a table row.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream row(line);
+  for (std::string cell; std::getline(row, cell, '|');) {
+    const auto first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last + 1 - first));
+  }
+  return cells;
+}
+
+std::set<std::string> words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+}
+
 }  // namespace
 
 TEST_CASE("no_sentence_of_the_readme_has_more_than_30_words") {
@@ -81,26 +97,6 @@ TEST_CASE("no_sentence_of_the_manual_is_long") {
     for (const std::string& sentence : sentences_of(text)) CHECK_MESSAGE(words_in(sentence) <= 36, sentence);
   }
 }
-
-namespace {
-
-// Returns the cells of a table row.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream row(line);
-  for (std::string cell; std::getline(row, cell, '|');) {
-    const auto first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
-    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last + 1 - first));
-  }
-  return cells;
-}
-
-std::set<std::string> words_of(const std::string& text) {
-  std::istringstream words(text);
-  return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
-}
-
-}  // namespace
 
 TEST_CASE("the_readme_of_the_sources_has_the_table_of_rooms") {
   std::map<std::string, std::set<std::string>> written, rules;

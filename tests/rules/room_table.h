@@ -104,9 +104,8 @@ inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<
     path.pop_back();
     return false;
   };
-  for (const auto& [file, ignored] : includes) {
+  for (const auto& [file, ignored] : includes)
     if (!seen.count(file) && visit(visit, file)) return path;
-  }
   return {};
 }
 
@@ -137,9 +136,8 @@ inline std::optional<std::string> package_of(const std::string& include) {
       {"fmt/", "fmt"},
       {"X11/", "x11"},
   };
-  for (const auto& [prefix, package] : prefixes) {
+  for (const auto& [prefix, package] : prefixes)
     if (include.rfind(prefix, 0) == 0) return package;
-  }
   return std::nullopt;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 template <class Visit>
 void for_each_source(Visit visit) {
-  for (const char* top : {"src", "tests", "shaders", "third_party", "assets"}) {
+  for (const char* top : {"src", "tests", "shaders", "third_party", "assets"})
     for (const auto& entry : fs::recursive_directory_iterator(viete::test::source_dir() / top)) {
       const auto e = entry.path().extension();
       if (e == ".h" || e == ".cpp" || e == ".vert" || e == ".frag" || e == ".glsl" || e == ".cmake" ||
@@ -21,7 +21,6 @@ void for_each_source(Visit visit) {
         visit(entry.path(), std::string(std::istreambuf_iterator<char>(in), {}));
       }
     }
-  }
 }
 
 }  // namespace

@@ -278,12 +278,11 @@ TEST_CASE("a_gallop_is_posed_by_six_of_its_frames" * doctest::test_suite(if_pres
     for (std::size_t v = 0; v < posed.size(); ++v) sum += norm(posed[v] - truth[v]);
     far += sum / double(posed.size()) / mesh::bounds(rest.positions).diagonal() / 3;
     std::vector<double> errors;
-    for (const auto& t : rest.triangles) {
+    for (const auto& t : rest.triangles)
       for (int k = 0; k < 3; ++k) {
         const auto a = t[k], b = t[(k + 1) % 3];
         errors.push_back(std::abs(std::log(norm(posed[a] - posed[b]) / norm(truth[a] - truth[b]))));
       }
-    }
     std::ranges::sort(errors);
     longer += errors[errors.size() * 95 / 100] / 3;
   }

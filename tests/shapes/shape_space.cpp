@@ -57,13 +57,12 @@ Points twisted(const mesh::Surface& tube, double degrees) {
 // Compares edge lengths in `between` with their geometric means in `a` and `b`. Returns the RMS log ratio.
 double edge_error(const mesh::Surface& s, const Points& a, const Points& b, const Points& between) {
   double sum = 0;
-  for (const auto& t : s.triangles) {
+  for (const auto& t : s.triangles)
     for (int k = 0; k < 3; ++k) {
       const auto i = t[k], j = t[(k + 1) % 3];
       const double expected = std::sqrt(norm(a[i] - a[j]) * norm(b[i] - b[j]));
       sum += std::pow(std::log(norm(between[i] - between[j]) / expected), 2);
     }
-  }
   return std::sqrt(sum / static_cast<double>(3 * s.triangles.size()));
 }
 
@@ -80,7 +79,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part") {
   const std::size_t n = limb.positions.size();
   const mesh::Surface far = mapped(limb, scaling(1, {5, 0, 0}));
   Shapes s(together(limb, far));
-  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 2, -3}}) {
+  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 2, -3}})
     for (const double angle : {179.0, 90.0, -150.0}) {
       const auto turned = [&](double share) {
         Points both = limb.positions;
@@ -90,7 +89,6 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part") {
       const Points half = s.share(turned(1), 0.5);
       CHECK(s.error(centered(half, n), centered(turned(0.5), n)) < 1e-12);
     }
-  }
 }
 
 TEST_CASE("vectors_reproduce_shapes_and_rest_and_rotations_interpolate_about_their_axis") {

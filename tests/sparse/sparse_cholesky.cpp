@@ -43,11 +43,9 @@ SparseMatrix dense_definite(std::uint32_t n, Random& random) {
 // Returns the Laplacian of a model in which some vertices are fixed.
 SparseMatrix firm_laplacian(const mesh::Surface& s, double firmness = 1, std::uint32_t every = 10) {
   SparseMatrix k = stiffness_matrix(s.positions, s.triangles);
-  for (std::uint32_t v = 0; v < k.size(); v += every) {
-    for (auto i = k.starts[v]; i < k.starts[v + 1]; ++i) {
+  for (std::uint32_t v = 0; v < k.size(); v += every)
+    for (auto i = k.starts[v]; i < k.starts[v + 1]; ++i)
       if (k.rows[std::size_t(i)] == int(v)) k.values[std::size_t(i)] += firmness;
-    }
-  }
   return k;
 }
 
@@ -86,17 +84,24 @@ void check_solution(const SparseMatrix& matrix) {
   }
 }
 
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+Columns as_eigen_columns(std::span<const Vec3> rows) {
+  Columns columns(rows.size(), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) columns.row(i) << rows[i][0], rows[i][1], rows[i][2];
+  return columns;
+}
+
 }  // namespace
 
 TEST_CASE("systems_are_solved_by_their_factors_on_every_instruction_set") {
   Random random(5);
-  for (const std::uint32_t n : {1u, 2u, 3u, 9u, 40u, 300u}) {
+  for (const std::uint32_t n : {1u, 2u, 3u, 9u, 40u, 300u})
     for (const double entries : {0.0, 1.0, 3.0, 8.0}) {
       CAPTURE(n);
       CAPTURE(entries);
       check_solution(random_definite(n, entries, random));
     }
-  }
   for (const std::uint32_t n : {2u, 4u, 5u, 8u, 17u, 33u, 70u, 300u})
     check_solution(dense_definite(n, random));
   check_solution(firm_laplacian(tube(15, 12, 0.7, 5)));
@@ -144,18 +149,6 @@ TEST_CASE("a_factorisation_reports_progress_and_stops_when_cancelled") {
   progress.cancel();
   CHECK_THROWS_AS(factor(matrix, two, told(&progress, 0, 1)), base::Cancelled);
 }
-
-namespace {
-
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
-Columns as_eigen_columns(std::span<const Vec3> rows) {
-  Columns columns(rows.size(), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) columns.row(i) << rows[i][0], rows[i][1], rows[i][2];
-  return columns;
-}
-
-}  // namespace
 
 TEST_CASE("three_columns_are_solved_at_once_and_in_place") {
   base::WorkerPool pool(1);
@@ -222,15 +215,13 @@ TEST_CASE("sixteen_systems_are_solved_at_once_on_every_instruction_set") {
     const DenseMatrix x = DenseMatrix::Random(n, Eigen::Index(solved_columns)), b = whole_of(matrix) * x;
     for (const auto& kernel : sym3::kernels()) {
       base::AlignedVector<double> block(n * solved_columns);
-      for (std::uint32_t i = 0; i < n; ++i) {
+      for (std::uint32_t i = 0; i < n; ++i)
         for (std::size_t c = 0; c < solved_columns; ++c) block[solver.row_of(i) + c] = b(i, Eigen::Index(c));
-      }
       solver.solve(block, sparse_kernel(kernel));
       double worst = 0;
-      for (std::uint32_t i = 0; i < n; ++i) {
+      for (std::uint32_t i = 0; i < n; ++i)
         for (std::size_t c = 0; c < solved_columns; ++c)
           worst = std::max(worst, std::abs(block[solver.row_of(i) + c] - x(i, Eigen::Index(c))));
-      }
       CHECK(worst < 1e-14);
     }
   }

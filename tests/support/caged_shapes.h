@@ -32,10 +32,9 @@ inline constexpr double degree = std::numbers::pi / 180;
 /// Returns a box of 12 triangles that face outward.
 inline mesh::Surface box(const Vec3& half = {1, 1, 1}, const Vec3& center = {0, 0, 0}) {
   std::vector<mesh::Point> p;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 8; ++i)
     p.push_back({center[0] + (i & 1 ? half[0] : -half[0]), center[1] + (i & 2 ? half[1] : -half[1]),
                  center[2] + (i & 4 ? half[2] : -half[2])});
-  }
   return mesh::from_triangles(p, {{0, 2, 3},
                                   {0, 3, 1},
                                   {4, 5, 7},
@@ -53,12 +52,11 @@ inline mesh::Surface box(const Vec3& half = {1, 1, 1}, const Vec3& center = {0, 
 /// Returns a closed tube along z, centered at z = 0. The last two vertices are the centers of the caps.
 inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radius, double length) {
   std::vector<mesh::Point> p;
-  for (std::uint32_t r = 0; r < rings; ++r) {
+  for (std::uint32_t r = 0; r < rings; ++r)
     for (std::uint32_t s = 0; s < sides; ++s) {
       const double a = 2 * std::numbers::pi * s / sides;
       p.push_back({radius * std::cos(a), radius * std::sin(a), length * (double(r) / (rings - 1) - 0.5)});
     }
-  }
   p.push_back({0, 0, -length / 2});
   p.push_back({0, 0, length / 2});
   std::vector<mesh::Triangle> t;
@@ -79,7 +77,7 @@ inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radiu
 inline mesh::Surface grid(std::uint32_t n) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
-  for (std::uint32_t i = 0; i <= n; ++i) {
+  for (std::uint32_t i = 0; i <= n; ++i)
     for (std::uint32_t j = 0; j <= n; ++j) {
       p.push_back({double(i), double(j), 0});
       const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
@@ -88,7 +86,6 @@ inline mesh::Surface grid(std::uint32_t n) {
         t.push_back({a, b + 1, a + 1});
       }
     }
-  }
   return mesh::from_triangles(p, t);
 }
 
@@ -173,22 +170,19 @@ struct Twist {
 /// Returns the largest ratio of an edge's posed length to its rest length. Tears make the ratio large.
 inline double largest_edge_stretch(const mesh::Surface& rest, std::span<const mesh::Point> posed) {
   double largest = 0;
-  for (const auto& t : rest.triangles) {
+  for (const auto& t : rest.triangles)
     for (int i = 0; i < 3; ++i) {
       const auto a = t[i], b = t[(i + 1) % 3];
       const double before = norm(rest.positions[a] - rest.positions[b]);
       if (before > 0) largest = std::max(largest, norm(posed[a] - posed[b]) / before);
     }
-  }
   return largest;
 }
 
 inline bool all_finite(std::span<const mesh::Point> points) {
-  for (const auto& p : points) {
-    for (const double x : p) {
+  for (const auto& p : points)
+    for (const double x : p)
       if (!std::isfinite(x)) return false;
-    }
-  }
   return true;
 }
 

@@ -17,9 +17,8 @@ inline std::filesystem::path assets_dir() {
 
 /// Returns the folder of real meshes. Without this folder, skips the test case and returns an empty path.
 inline std::filesystem::path shared_data(const std::string& below = "") {
-  for (auto base : {source_dir().parent_path() / "shared" / "data", source_dir() / "shared" / "data"}) {
+  for (auto base : {source_dir().parent_path() / "shared" / "data", source_dir() / "shared" / "data"})
     if (std::filesystem::exists(base / below)) return base / below;
-  }
   skip("../shared/data/" + below + " does not exist");
   return {};
 }

@@ -31,8 +31,8 @@ double difference(const render::Image& a, const render::Image& b, int tolerance)
 
 render::Image shrunk(const render::Image& image, int cell) {
   render::Image small{image.width / cell, image.height / cell, {}};
-  for (int y = 0; y < small.height; ++y) {
-    for (int x = 0; x < small.width; ++x) {
+  for (int y = 0; y < small.height; ++y)
+    for (int x = 0; x < small.width; ++x)
       for (int channel = 0; channel < 4; ++channel) {
         int sum = 0;
         for (int i = 0; i < cell * cell; ++i) {
@@ -41,8 +41,6 @@ render::Image shrunk(const render::Image& image, int cell) {
         }
         small.rgba.push_back(static_cast<std::uint8_t>(sum / (cell * cell)));
       }
-    }
-  }
   return small;
 }
 

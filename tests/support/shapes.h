@@ -87,21 +87,19 @@ inline Surface sphere(int levels) {
 inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = false) {
   Surface s;
   const double pi = std::acos(-1.0);
-  for (std::uint32_t i = 0; i < around; ++i) {
+  for (std::uint32_t i = 0; i < around; ++i)
     for (std::uint32_t j = 0; j < across; ++j) {
       const double u = 2 * pi * i / around, v = 2 * pi * j / across, r = 2 + 0.5 * std::cos(v);
       s.positions.push_back({r * std::cos(u), r * std::sin(u), 0.5 * std::sin(v)});
     }
-  }
   s.polygon_starts = {0};
-  for (std::uint32_t i = 0; i < around - (open ? 1 : 0); ++i) {
+  for (std::uint32_t i = 0; i < around - (open ? 1 : 0); ++i)
     for (std::uint32_t j = 0; j < across; ++j) {
       const std::uint32_t k = (i + 1) % around, l = (j + 1) % across;
       for (const auto v : {i * across + j, k * across + j, k * across + l, i * across + l})
         s.corners.push_back(v);
       s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     }
-  }
   mesh::triangulate(s);
   return s;
 }
@@ -122,9 +120,8 @@ void append(std::string& bytes, T value, std::endian order = std::endian::little
 
 /// Scales all positions, and then adds `offset` to each coordinate.
 inline Surface moved(Surface s, double scale, double offset = 0) {
-  for (Point& p : s.positions) {
+  for (Point& p : s.positions)
     for (double& x : p) x = x * scale + offset;
-  }
   return s;
 }
 
@@ -200,6 +197,19 @@ inline void check_invariants(const Surface& s) {
     finite &= std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
   CHECK(in_range);
   CHECK(finite);
+}
+
+/// Returns a band of six quads, closed with a twist.
+inline mesh::Surface moebius_strip() {
+  std::vector<mesh::Point> positions;
+  std::vector<mesh::Triangle> triangles;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
+    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
+    triangles.push_back({a, c, b});
+    triangles.push_back({b, c, d});
+  }
+  return mesh::from_triangles(positions, triangles);
 }
 
 }  // namespace viete::test

@@ -76,7 +76,7 @@ struct Ball {
 inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t rings = 48) {
   Ball result;
   const std::uint32_t columns = 2 * rings;
-  for (std::uint32_t i = 0; i <= rings; ++i) {
+  for (std::uint32_t i = 0; i <= rings; ++i)
     for (std::uint32_t j = 0; j < columns; ++j) {
       const double polar = M_PI * i / rings, turn = 2 * M_PI * j / columns;
       const Point n{std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn)};
@@ -84,14 +84,12 @@ inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t r
       result.positions.push_back(
           {center[0] + radius * n[0], center[1] + radius * n[1], center[2] + radius * n[2]});
     }
-  }
-  for (std::uint32_t i = 0; i < rings; ++i) {
+  for (std::uint32_t i = 0; i < rings; ++i)
     for (std::uint32_t j = 0; j < columns; ++j) {
       const std::uint32_t a = i * columns + j, b = i * columns + (j + 1) % columns;
       result.triangles.push_back({a, a + columns, b});
       result.triangles.push_back({b, a + columns, b + columns});
     }
-  }
   return result;
 }
 

@@ -31,9 +31,8 @@ inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   for (int k = 0; k < count; ++k) {
     Polynomial next(count, 0);  // 1, then 2 y - 1, then (4 y - 2) * last - before
     const int factor = k == 1 ? 1 : 2;
-    for (int i = 0; i < count && k > 0; ++i) {
+    for (int i = 0; i < count && k > 0; ++i)
       next[i] = factor * ((i > 0 ? 2 * last[i - 1] : 0) - last[i]) - before[i];
-    }
     if (k == 0) next[0] = 1;
     Quad series = 0;
     for (int j = 0; j < count; ++j) series += values[j] * cosq(k * angle(j));
@@ -79,9 +78,8 @@ inline Quad largest(const std::vector<Quad>& errors) {
 inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   const std::size_t n = rows.size();
   for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = k + 1; i < n; ++i) {
+    for (std::size_t i = k + 1; i < n; ++i)
       if (fabsq(rows[i][k]) > fabsq(rows[k][k])) std::swap(rows[i], rows[k]);
-    }
     for (std::size_t i = k + 1; i < n; ++i) {
       const Quad factor = rows[i][k] / rows[k][k];
       for (std::size_t j = k; j <= n; ++j) rows[i][j] -= factor * rows[k][j];
@@ -106,9 +104,8 @@ inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std
       found.back() = i;
     }
   }
-  while (found.size() > count) {
+  while (found.size() > count)
     found.erase(fabsq(values[found.front()]) < fabsq(values[found.back()]) ? found.begin() : found.end() - 1);
-  }
   return found;
 }
 
@@ -137,9 +134,8 @@ inline Polynomial minimax(const Target& t, Polynomial p, int first) {
       const std::size_t i = extremes[n];
       std::vector<Quad> row;
       Quad power = 1;
-      for (int k = 0; k < count; ++k, power *= t.points[i]) {
+      for (int k = 0; k < count; ++k, power *= t.points[i])
         if (k >= first) row.push_back(power);
-      }
       row.push_back((n % 2 ? -1 : 1) / t.weights[i] * sign(i));
       row.push_back(t.values[i] - at(kept, t.points[i]));
       rows.push_back(row);

@@ -119,7 +119,7 @@ bool same_or_nan(const Item& a, const Item& b) {
 template <class T, class In, class Out, class Many>
 void check_every_batch(const std::vector<In>& in, const std::vector<Out>& expected, const Many& many) {
   const auto fits = [](sym3::Layout layout, int n) { return layout != sym3::Layout::full || n == 6; };
-  for (const auto from : layouts) {
+  for (const auto from : layouts)
     for (const auto to : layouts) {
       if (!fits(from, Arranged<T, In>::N) || !fits(to, Arranged<T, Out>::N)) continue;
       for (std::size_t count = 0; count <= in.size(); count += count < 70 ? 1 : 40) {
@@ -135,7 +135,6 @@ void check_every_batch(const std::vector<In>& in, const std::vector<Out>& expect
         CHECK(same);
       }
     }
-  }
 }
 
 }  // namespace viete::test

@@ -31,12 +31,11 @@ double residual(const Sym3<double>& s) {
   Quad* const p[] = {&product.xx, &product.xy, &product.xz, &product.yy, &product.yz, &product.zz};
   Quad* const g[] = {&gram.xx, &gram.xy, &gram.xz, &gram.yy, &gram.yz, &gram.zz};
   const int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
-  for (int n = 0; n < 6; ++n) {
+  for (int n = 0; n < 6; ++n)
     for (int k = 0; k < 3; ++k) {
       *p[n] += to_quad(e.values[k]) * v(row[n], k) * v(column[n], k);
       *g[n] += v(k, row[n]) * v(k, column[n]);
     }
-  }
   const Quad of_matrix = quad_distance(product, original) / quad_frobenius(original);
   return static_cast<double>(std::max(of_matrix, quad_distance(gram, {1, 0, 0, 1, 0, 1})));
 }
@@ -83,12 +82,11 @@ TEST_CASE("sums_and_products_of_doubles_are_exact") {
 }
 
 TEST_CASE("jacobi_decomposes_to_the_precision_of_its_numbers") {
-  for (const double spread : {1e-6, 1.0, 1e6}) {
+  for (const double spread : {1e-6, 1.0, 1e6})
     for (const auto& s : spreads<double>(spread, -spread / 3, 200)) {
       CHECK(residual<double>(s) < 30 * 0x1p-53);
       CHECK(residual<DoubleDouble>(s) < 40 * 0x1p-104);
     }
-  }
   for (const auto& s : triples<double>(1e-9, 100)) CHECK(residual<DoubleDouble>(s) < 40 * 0x1p-104);
 }
 
@@ -104,11 +102,9 @@ TEST_CASE("jacobi_keeps_blocks_and_extreme_ratios") {
 }
 
 TEST_CASE("exp_by_jacobi_is_exact_to_16_u_at_any_spread") {
-  for (const double spread : {0.0, 1e-9, 1.0, 30.0, 700.0, 1300.0}) {
-    for (const auto& s : spreads<double>(spread, -0.6 * spread, 300)) {
+  for (const double spread : {0.0, 1e-9, 1.0, 30.0, 700.0, 1300.0})
+    for (const auto& s : spreads<double>(spread, -0.6 * spread, 300))
       CHECK(error_in_u(by(sym3::exp_by_jacobi, s), quad_exp(to_quad(s))) <= 16);
-    }
-  }
 }
 
 TEST_CASE("exp_by_jacobi_works_in_place") {
@@ -119,26 +115,23 @@ TEST_CASE("exp_by_jacobi_works_in_place") {
 }
 
 TEST_CASE_TEMPLATE("log_and_roots_by_jacobi_keep_their_bounds_at_every_condition_and_gap", T, double, float) {
-  for (const double condition : {1.0001, 1.1, 1.5, 2.0, 4.0, 7.0, 9.0, 12.0, 20.0, 1e2, 1e4, 1e6}) {
+  for (const double condition : {1.0001, 1.1, 1.5, 2.0, 4.0, 7.0, 9.0, 12.0, 20.0, 1e2, 1e4, 1e6})
     for (const auto& s : with_condition<T>(condition, 300)) check(s);
-  }
 }
 
 TEST_CASE("log_and_roots_by_jacobi_keep_their_bounds_up_to_condition_1e15") {
-  for (const double condition : {1e8, 1e10, 1e12, 1e14, 1e15}) {
+  for (const double condition : {1e8, 1e10, 1e12, 1e14, 1e15})
     for (const auto& s : with_condition<double>(condition, 200)) {
       const auto values = quad_eigen(to_quad(s)).values;
       if (*std::min_element(values.begin(), values.end()) > 0) check(s);
     }
-  }
 }
 
 TEST_CASE("log_by_jacobi_is_relatively_exact_near_the_identity") {
   Random random(52);
-  for (int digits = 1; digits <= 15; ++digits) {
+  for (int digits = 1; digits <= 15; ++digits)
     for (const auto& s : near_identity(std::pow(10.0, -digits), 50, random))
       CHECK(error_in_u(by(sym3::log_by_jacobi, s), quad_log(to_quad(s))) <= bound<double>);
-  }
 }
 
 TEST_CASE("log_by_jacobi_keeps_its_bound_across_the_border_of_near_the_identity") {
@@ -167,11 +160,9 @@ TEST_CASE_TEMPLATE("by_jacobi_matrices_that_are_not_positive_definite_give_six_n
 }
 
 TEST_CASE("very_large_and_very_small_matrices_keep_the_bounds") {
-  for (const double size : {1e-290, 1e-160, 1e160, 1e290}) {
-    for (const double condition : {3.0, 1e6}) {
+  for (const double size : {1e-290, 1e-160, 1e160, 1e290})
+    for (const double condition : {3.0, 1e6})
       for (const auto& s : with_condition<double>(condition, 50, size)) check(s);
-    }
-  }
   CHECK(by(sym3::inv_sqrt_by_jacobi, diagonal(1e300, 1.0, 1e-300)).zz ==
         doctest::Approx(1e150).epsilon(1e-15));
 }

@@ -132,12 +132,11 @@ struct DerivativeCase {
   DerivativeCase(Of f, const sym3::Kernel& kernel, const std::vector<Sym3<T>>& matrices)
       : f(f), kernel(kernel), matrices(matrices) {
     Random random(78);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
       for (const auto& s : matrices) {
         directions[k].push_back(random_direction<T>(random));
         expected[k].push_back(derived(f, kernel, s, directions[k].back()));
       }
-    }
   }
 
   bool gives_the_bits(sym3::Layout from, sym3::Layout to, std::size_t count, bool in_place) const {
@@ -155,11 +154,9 @@ struct DerivativeCase {
     }
     derive<T>(f, s.view(), reads, writes, count, {&kernel});
     bool same = in_place || out[2].holds(count);
-    for (int k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < count; ++i) {
+    for (int k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < count; ++i)
         same = same && same_or_nan<T>((in_place ? in[k] : out[k]).get(i), expected[k][i]);
-      }
-    }
     return same;
   }
 };
@@ -193,9 +190,8 @@ TEST_CASE_TEMPLATE("derivatives_of_exp_are_exact_to_8_u_at_any_gap_and_scale", T
     check_derivatives(Of::exp, "pair " + std::to_string(digits), pairs<T>(gap, 200), eight);
     check_derivatives(Of::exp, "triple " + std::to_string(digits), triples<T>(gap, 200), eight);
   }
-  for (const double size : {3.0, 1.0, 1e-3, 1e-8, 1e-30, 0.0}) {
+  for (const double size : {3.0, 1.0, 1e-3, 1e-8, 1e-30, 0.0})
     check_derivatives(Of::exp, "spread " + std::to_string(size), spreads<T>(size, -size / 3, 300), eight);
-  }
 }
 
 TEST_CASE("errors_of_derivatives_of_exp_grow_by_2_u_per_spread_at_any_trace") {
@@ -209,10 +205,9 @@ TEST_CASE_TEMPLATE("derivatives_of_log_sqrt_and_pow_keep_their_bounds_at_every_c
   for (const double k : {1 + 1e-12, 1 + 1e-9, 1 + 1e-6, 1.0001, 1.1, 2.0, 4.0, 10.0, 100.0, 3e3, 1e5, 1e9}) {
     if (sizeof(T) == 4 && k > 3e3) continue;
     const auto what = "condition " + std::to_string(k);
-    for (const Of f : {Of::log, Of::sqrt}) {
+    for (const Of f : {Of::log, Of::sqrt})
       check_derivatives(f, what, with_condition<T>(k, 150),
                         [](const OfMatrix& s) { return allowed_for_power(0, s); });
-    }
     for (const double p : {-100.0, -20.0, -1.7, -0.5, 0.3, 1.0, 2.0, 7.0, 33.0, 80.0}) {
       if (std::fabs(p) * std::log(1e3 * k) > (sizeof(T) == 4 ? 50 : 500)) continue;  // results could overflow
       check_derivatives(
@@ -224,22 +219,18 @@ TEST_CASE_TEMPLATE("derivatives_of_log_sqrt_and_pow_keep_their_bounds_at_every_c
 
 TEST_CASE("beyond_the_range_of_the_kernels_derivatives_are_exact_to_16_u") {
   const auto sixteen = [](const OfMatrix&) { return 16; };
-  for (const double k : {1e10, 1e11, 1e12}) {
-    for (const Of f : {Of::log, Of::sqrt, Of::pow}) {
+  for (const double k : {1e10, 1e11, 1e12})
+    for (const Of f : {Of::log, Of::sqrt, Of::pow})
       check_derivatives(f, "condition " + std::to_string(k), with_condition<double>(k, 60), sixteen);
-    }
-  }
-  for (const double size : {1e-150, 1e-90, 1e90, 1e150}) {
-    for (const Of f : {Of::log, Of::sqrt}) {
+  for (const double size : {1e-150, 1e-90, 1e90, 1e150})
+    for (const Of f : {Of::log, Of::sqrt})
       check_derivatives(f, "size " + std::to_string(size), with_condition<double>(3, 60, size), sixteen);
-    }
-  }
 }
 
 TEST_CASE_TEMPLATE("a_tangent_has_the_derivatives_by_each_number_of_the_matrix", T, double, float) {
   Random random(73);
-  for (const Of f : every_function) {
-    for (const auto& kernel : sym3::kernels()) {
+  for (const Of f : every_function)
+    for (const auto& kernel : sym3::kernels())
       for (int i = 0; i < 60; ++i) {
         const double spread = i % 5 ? 2 : 12;
         const auto s = with_eigenvalues<T>({1, uniform(random, 1, 1 + spread), 1 + spread}, random);
@@ -253,16 +244,14 @@ TEST_CASE_TEMPLATE("a_tangent_has_the_derivatives_by_each_number_of_the_matrix",
           CHECK(derivative_error(tangent[k], exact, to_quad(e)) <= most);
         }
       }
-    }
-  }
 }
 
 TEST_CASE_TEMPLATE("derivatives_that_do_not_exist_are_nan", T, double, float) {
   const T nan = std::numeric_limits<T>::quiet_NaN(), inf = std::numeric_limits<T>::infinity();
   const Sym3<T> good = {2, 0, T(0.1), 3, 0, 4}, e = {1, 2, 3, 4, 5, 6};
-  for (const auto& kernel : sym3::kernels()) {
+  for (const auto& kernel : sym3::kernels())
     for (const Of f : every_function) {
-      for (const T bad : {nan, inf, -inf}) {
+      for (const T bad : {nan, inf, -inf})
         for (int k = 0; k < 6; ++k) {
           Sym3<T> s = good, direction = e;
           (&s.xx)[k] = bad;
@@ -271,13 +260,10 @@ TEST_CASE_TEMPLATE("derivatives_that_do_not_exist_are_nan", T, double, float) {
           CHECK(all_nan(derived(f, kernel, good, direction)));
           for (const auto& row : tangent_of(f, kernel, s)) CHECK(all_nan(row));
         }
-      }
       if (f == Of::exp) continue;
-      for (const auto& s : {Sym3<T>{}, diagonal(T(1), T(1), T(0)), diagonal(T(1), T(-1), T(2))}) {
+      for (const auto& s : {Sym3<T>{}, diagonal(T(1), T(1), T(0)), diagonal(T(1), T(-1), T(2))})
         CHECK(all_nan(derived(f, kernel, s, e)));
-      }
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("derivatives_of_exp_of_finite_numbers_are_never_nan", T, double, float) {
@@ -300,11 +286,11 @@ TEST_CASE_TEMPLATE("derivatives_of_exp_of_finite_numbers_are_never_nan", T, doub
 
 TEST_CASE_TEMPLATE("several_derivatives_of_a_batch_have_the_bits_of_single_calls", T, double, float) {
   const auto in = matrices_of_all_kinds<T>(80);
-  for (const Of f : every_function) {
+  for (const Of f : every_function)
     for (const auto& kernel : sym3::kernels()) {
       const DerivativeCase<T> c(f, kernel, in);
-      for (const auto from : layouts) {
-        for (const auto to : {from, sym3::Layout::planes, sym3::Layout::packed}) {
+      for (const auto from : layouts)
+        for (const auto to : {from, sym3::Layout::planes, sym3::Layout::packed})
           for (const std::size_t count : {0, 1, 3, 4, 8, 15, 16, 17, 33, 64, 65, 80}) {
             CAPTURE(kernel.name);
             CAPTURE(int(f));
@@ -312,10 +298,7 @@ TEST_CASE_TEMPLATE("several_derivatives_of_a_batch_have_the_bits_of_single_calls
             CHECK(c.gives_the_bits(from, to, count, false));
             CHECK(c.gives_the_bits(from, to, count, true));
           }
-        }
-      }
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("derivatives_of_a_batch_may_take_the_place_of_its_matrices", T, double, float) {
@@ -334,24 +317,22 @@ TEST_CASE_TEMPLATE("derivatives_of_a_batch_may_take_the_place_of_its_matrices", 
 
 TEST_CASE_TEMPLATE("fused_kernels_give_the_same_bits_of_derivatives_and_so_do_the_others", T, double, float) {
   Random random(79);
-  for (const Of f : every_function) {
+  for (const Of f : every_function)
     for (const auto& s : matrices_of_all_kinds<T>(200)) {
       const auto e = random_direction<T>(random);
-      for (const auto& a : sym3::kernels()) {
+      for (const auto& a : sym3::kernels())
         for (const auto& b : sym3::kernels()) {
           if (a.fused != b.fused) continue;
           CHECK(same_or_nan<T>(derived(f, a, s, e), derived(f, b, s, e)));
           const auto of_a = tangent_of(f, a, s), of_b = tangent_of(f, b, s);
           for (int k = 0; k < 6; ++k) CHECK(same_or_nan<T>(of_a[k], of_b[k]));
         }
-      }
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("tangents_of_a_batch_have_the_bits_of_single_calls_in_every_layout", T, double, float) {
   const auto in = matrices_of_all_kinds<T>(80);
-  for (const auto& kernel : sym3::kernels()) {
+  for (const auto& kernel : sym3::kernels())
     for (const Of f : {Of::exp, Of::log}) {
       CAPTURE(kernel.name);
       std::vector<sym3::Tangent<T>> expected;
@@ -363,7 +344,6 @@ TEST_CASE_TEMPLATE("tangents_of_a_batch_have_the_bits_of_single_calls_in_every_l
             sym3::log_tangent(from, to, count, {&kernel});
           });
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("the_single_derivatives_are_those_of_the_running_kernel_also_on_threads", T, double,

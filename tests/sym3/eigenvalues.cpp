@@ -82,14 +82,13 @@ TEST_CASE_TEMPLATE("qr_errs_by_24_u_of_the_largest", T, double, float) {
 
 TEST_CASE_TEMPLATE("eigenvalues_err_by_8_u_of_the_largest_however_close", T, double, float) {
   for (const auto& m : everything<T>()) CHECK(worst_error(sym3::eigenvalues<T>, m) <= 8 * unit_roundoff<T>);
-  for (const double size : {1e-35, 1e-12, 1e12, 1e35}) {
+  for (const double size : {1e-35, 1e-12, 1e12, 1e35})
     for (const double gap : {0.0, 1e-12, 1e-3, 1.0}) {
       auto m = pairs<T>(gap, 50);
       for (auto& s : m)
         s = {T(s.xx * size), T(s.xy * size), T(s.xz * size), T(s.yy * size), T(s.yz * size), T(s.zz * size)};
       CHECK(worst_error(sym3::eigenvalues<T>, m) <= 8 * unit_roundoff<T>);
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_eigenvalues_agrees_with_one", T, double, float) {
@@ -108,9 +107,8 @@ TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_eigenvalues_agrees_wit
 }
 
 TEST_CASE_TEMPLATE("viete_errs_by_4_cube_roots_of_u_of_the_largest", T, double, float) {
-  for (const auto& m : everything<T>()) {
+  for (const auto& m : everything<T>())
     CHECK(worst_error(sym3::eigenvalues_viete<T>, m) <= 4 * std::cbrt(unit_roundoff<T>));
-  }
 }
 
 TEST_CASE("viete_is_nearly_exact_where_eigenvalues_are_apart") {

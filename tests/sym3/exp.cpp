@@ -121,12 +121,11 @@ TEST_CASE_TEMPLATE("batch_has_the_bits_of_the_single_call_also_in_place", T, dou
 }
 
 TEST_CASE_TEMPLATE("nan_and_infinity_give_six_nan_by_every_method", T, double, float) {
-  for (const Method method : all_methods) {
+  for (const Method method : all_methods)
     for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
       CHECK(all_nan(sym3::exp(Sym3<T>{1, bad, 0, 2, 0, 3}, method)));
       CHECK(all_nan(sym3::exp(Sym3<T>{1, 0, 0, 2, 0, bad}, method)));
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("papers_ensemble_is_exact_to_8_u", T, double, float) {
@@ -139,9 +138,8 @@ TEST_CASE_TEMPLATE("any_gap_at_spread_up_to_3_is_exact_to_6_u", T, double, float
     check_bound("pair " + std::to_string(digits), pairs<T>(gap, 500), 6, 10);
     check_bound("triple " + std::to_string(digits), triples<T>(gap, 500), 6, 10);
   }
-  for (const double spread : {0.1, 1.0, 2.0, 3.0}) {
+  for (const double spread : {0.1, 1.0, 2.0, 3.0})
     check_bound("spread", spreads<T>(spread, -spread / 3, 1000), 6, 10);
-  }
 }
 
 TEST_CASE_TEMPLATE("tiny_matrices_are_exact_to_6_u", T, double, float) {
@@ -201,17 +199,14 @@ TEST_CASE_TEMPLATE("subnormal_entries_give_the_identity", T, double, float) {
 }
 
 TEST_CASE_TEMPLATE("one_nan_or_infinity_anywhere_gives_six_nan", T, double, float) {
-  for (const auto& kernel : sym3::kernels()) {
-    for (const T bad : {std::numeric_limits<T>::quiet_NaN(), inf<T>, -inf<T>}) {
-      for (int i = 0; i < 6; ++i) {
+  for (const auto& kernel : sym3::kernels())
+    for (const T bad : {std::numeric_limits<T>::quiet_NaN(), inf<T>, -inf<T>})
+      for (int i = 0; i < 6; ++i)
         for (const auto& base : {Sym3<T>{}, Sym3<T>{1, 2, 3, 4, 5, 6}, Sym3<T>{100, 0, 0, -200, 0, 900}}) {
           Sym3<T> s = base;
           (&s.xx)[i] = bad;
           CHECK(all_nan(exp_with(kernel, s)));
         }
-      }
-    }
-  }
 }
 
 TEST_CASE("diagonal_overflow_stays_in_its_entry") {
@@ -227,7 +222,7 @@ TEST_CASE("diagonal_overflow_stays_in_its_entry") {
 
 TEST_CASE("overflow_in_one_block_leaves_the_other_exact") {
   const double e1 = static_cast<double>(expq(2) * coshq(1)), e2 = static_cast<double>(expq(2) * sinhq(1));
-  for (const auto& kernel : sym3::kernels()) {
+  for (const auto& kernel : sym3::kernels())
     for (const double big : {712.0, 1e5, 1e150, 1.7e308}) {
       const auto e = exp_with(kernel, Sym3<double>{big, 0, 0, 2, 1, 2});
       CHECK(e.xx == inf<double>);
@@ -235,19 +230,17 @@ TEST_CASE("overflow_in_one_block_leaves_the_other_exact") {
       CHECK(e.yy == doctest::Approx(e1).epsilon(1e-14));
       CHECK(e.yz == doctest::Approx(e2).epsilon(1e-14));
     }
-  }
 }
 
 TEST_CASE("overflow_gives_signed_infinities_and_never_nan") {
   Random random(31);
-  for (const auto& kernel : sym3::kernels()) {
+  for (const auto& kernel : sym3::kernels())
     for (int i = 0; i < 300; ++i) {
       const double a = uniform(random, 680, 730), b = uniform(random, -400, 730),
                    c = uniform(random, 600, 730);
       check_overflow(kernel, with_eigenvalues<double>({a, b, c}, random));
       check_overflow(kernel, with_eigenvalues<float>({a / 8, b / 8, c / 8}, random));
     }
-  }
 }
 
 TEST_CASE("entries_near_the_largest_number_overflow_no_intermediate_step") {
@@ -269,7 +262,7 @@ TEST_CASE("entries_near_the_largest_number_overflow_no_intermediate_step") {
 }
 
 TEST_CASE("underflow_is_gradual") {
-  for (const auto& kernel : sym3::kernels()) {
+  for (const auto& kernel : sym3::kernels())
     for (const double mean : {-707.0, -710.0, -720.0, -740.0, -744.0}) {
       const Sym3<double> s{mean, 0.25, 0, mean, 0, mean};
       const auto exact = entries_of(quad_exp(to_quad(s)));
@@ -279,7 +272,6 @@ TEST_CASE("underflow_is_gradual") {
         CHECK(error <= 0x1p-1074 + 0x1p-50 * static_cast<double>(fabsq(exact[i])));
       }
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("any_finite_bits_give_no_nan", T, double, float) {

@@ -56,7 +56,7 @@ TEST_CASE("spectral_forms_agree_with_the_truth_on_the_papers_ensemble") {
 }
 
 TEST_CASE("guarded_spectral_forms_err_by_at_most_one_percent_on_clusters_and_are_never_nan") {
-  for (const auto method : {Method::sd, Method::improved_sd}) {
+  for (const auto method : {Method::sd, Method::improved_sd})
     for (int digits = 1; digits <= 16; ++digits) {
       const double gap = std::pow(10.0, -digits);
       for (const auto& matrices : {pairs<double>(gap, 200), triples<double>(gap, 200)}) {
@@ -65,7 +65,6 @@ TEST_CASE("guarded_spectral_forms_err_by_at_most_one_percent_on_clusters_and_are
         CHECK(errors.worst * 0x1p-53 <= 1e-2);
       }
     }
-  }
 }
 
 TEST_CASE("closed_form_loses_digits_on_a_cluster_of_three") {
@@ -95,9 +94,7 @@ TEST_CASE("faithful_form_gives_nan_for_many_double_eigenvalues") {
 TEST_CASE("all_three_cases_of_the_switch_are_right") {
   const Sym3<double> one = diagonal(1.5, 1.5, 1.5), two = diagonal(1.0, 2.0, 2.0),
                      three = diagonal(1.0, 2.0, 4.0);
-  for (const auto& s : {one, two, three, diagonal(2.0, 1.0, 2.0), diagonal(2.0, 2.0, 1.0)}) {
-    for (const auto method : {Method::sd, Method::improved_sd}) {
+  for (const auto& s : {one, two, three, diagonal(2.0, 1.0, 2.0), diagonal(2.0, 2.0, 1.0)})
+    for (const auto method : {Method::sd, Method::improved_sd})
       CHECK(error_in_u(sym3::exp(s, method), quad_exp(to_quad(s))) * 0x1p-53 < 1e-7);
-    }
-  }
 }

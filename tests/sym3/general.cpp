@@ -284,7 +284,7 @@ TEST_CASE("logs_of_mirrored_and_flat_matrices_are_sums_of_logs_of_rotation_and_s
 
 TEST_CASE("logs_and_exponentials_of_nan_and_infinity_are_nan") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = HUGE_VAL;
-  for (const double bad : {nan, infinite, -infinite}) {
+  for (const double bad : {nan, infinite, -infinite})
     for (int i = 0; i < 9; ++i) {
       Mat3<double> m = diagonal_matrix(1, 2, 3);
       m[i] = bad;
@@ -296,7 +296,6 @@ TEST_CASE("logs_and_exponentials_of_nan_and_infinity_are_nan") {
       alone[i] = bad;
       for (const double x : log_general(alone)) CHECK(std::isnan(x));
     }
-  }
   Mat3<double> all_nan;
   all_nan.fill(nan);
   for (const double x : log_general(all_nan)) CHECK(std::isnan(x));

@@ -40,15 +40,11 @@ TEST_CASE("a_processor_has_the_kernels_of_its_instruction_sets") {
 #endif
 
 TEST_CASE("fused_kernels_agree_in_every_bit_and_so_do_the_others") {
-  for (const double spread : {0.0, 1e-9, 3.0, 6.0, 40.0, 700.0, 1500.0}) {
-    for (const auto& s : spreads<double>(spread, -0.5 * spread, 100)) {
-      for (const auto& a : sym3::kernels()) {
-        for (const auto& b : sym3::kernels()) {
+  for (const double spread : {0.0, 1e-9, 3.0, 6.0, 40.0, 700.0, 1500.0})
+    for (const auto& s : spreads<double>(spread, -0.5 * spread, 100))
+      for (const auto& a : sym3::kernels())
+        for (const auto& b : sym3::kernels())
           if (a.fused == b.fused) CHECK(exp_with(a, s) == exp_with(b, s));
-        }
-      }
-    }
-  }
 }
 
 using namespace viete::sym3;
@@ -93,14 +89,11 @@ double reference_error(const Sym3<double>& s) {
 
 TEST_CASE("reference_is_exact_to_1e_28_for_spreads_to_1000") {
   for (const auto& s : paper_ensemble<double>(500)) CHECK(reference_error(s) < 1e-30);
-  for (const double gap : {1e-2, 1e-6, 1e-12}) {
+  for (const double gap : {1e-2, 1e-6, 1e-12})
     for (const auto& s : triples<double>(gap, 100)) CHECK(reference_error(s) < 1e-30);
-  }
-  for (const double spread : {0.0, 10.0, 100.0, 300.0, 1000.0}) {
-    for (const double top : {0.0, 700.0, -600.0}) {
+  for (const double spread : {0.0, 10.0, 100.0, 300.0, 1000.0})
+    for (const double top : {0.0, 700.0, -600.0})
       for (const auto& s : spreads<double>(spread, top - spread, 100)) CHECK(reference_error(s) < 1e-28);
-    }
-  }
 }
 
 TEST_CASE("reference_is_the_identity_for_zero_and_nan_for_nan") {

@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("beyond_the_range_of_the_kernels_a_batch_has_the_answers_by_j
   const std::pair<Which, void (*)(const T*, T*)> by_jacobi[] = {{Which::log, sym3::log_by_jacobi},
                                                                 {Which::sqrt, sym3::sqrt_by_jacobi},
                                                                 {Which::inv_sqrt, sym3::inv_sqrt_by_jacobi}};
-  for (const auto& [which, function] : by_jacobi) {
+  for (const auto& [which, function] : by_jacobi)
     for (const auto& kernel : sym3::kernels()) {
       std::vector<Sym3<T>> out(in.size());
       run<T>(which, sym3::packed(in.data()), sym3::packed(out.data()), in.size(), {&kernel});
@@ -157,7 +157,6 @@ TEST_CASE_TEMPLATE("beyond_the_range_of_the_kernels_a_batch_has_the_answers_by_j
         CHECK(same_or_nan<T>(out[i], expected));
       }
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("one_matrix_and_a_batch_in_every_layout_and_length_get_the_same_bits_of_functions", T,
@@ -166,7 +165,7 @@ TEST_CASE_TEMPLATE("one_matrix_and_a_batch_in_every_layout_and_length_get_the_sa
   in[17] = {};
   in[40] = diagonal(T(1), T(2), T(-3));
   in[55] = diagonal(T(1e-3), T(1), std::numeric_limits<T>::max());
-  for (const Which which : all) {
+  for (const Which which : all)
     for (const auto& kernel : sym3::kernels()) {
       std::vector<Sym3<T>> expected;
       for (const auto& s : in) expected.push_back(one(which, kernel, s));
@@ -176,7 +175,6 @@ TEST_CASE_TEMPLATE("one_matrix_and_a_batch_in_every_layout_and_length_get_the_sa
         run<T>(which, from, to, count, {&kernel});
       });
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("the_single_call_is_that_of_the_running_kernel_of_functions", T, double, float) {
@@ -196,13 +194,12 @@ TEST_CASE_TEMPLATE("log_of_the_identity_is_exactly_zero_by_every_kernel", T, dou
 }
 
 TEST_CASE_TEMPLATE("log_by_qr_is_as_exact_as_the_condition_lets_it", T, double, float) {
-  for (const double condition : {1.5, 10.0, 1e3}) {
+  for (const double condition : {1.5, 10.0, 1e3})
     for (const auto& s : with_condition<T>(condition, 100)) {
       const auto exact = quad_log(to_quad(s));
       const double size = static_cast<double>(quad_frobenius(exact));
       CHECK(error_in_u(sym3::log_qr(s), exact) <= 24 * std::max(1.0, condition / size));
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("sqrt_takes_semi_definite_matrices", T, double, float) {

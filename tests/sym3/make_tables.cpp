@@ -96,9 +96,8 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("cos x", cosine, make(cosine, 1, std::size(C::cosine)), as_quad(C::cosine), cosine_error);
   check_minimax<T>("sin x / (2 x)", sine, make(sine, 0.5, std::size(C::sine)), as_quad(C::sine), sine_error);
   Polynomial both;
-  for (std::size_t k = 0; k < std::size(C::arc_even) + std::size(C::arc_odd); ++k) {
+  for (std::size_t k = 0; k < std::size(C::arc_even) + std::size(C::arc_odd); ++k)
     both.push_back(k % 2 ? C::arc_odd[k / 2] : C::arc_even[k / 2]);
-  }
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 

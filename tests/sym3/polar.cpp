@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bound_for_either_sign_of_the_determinant", T
       {1, 1, 1},    {2, 1, .5},   {1.5, 1.2, .7}, {10, 1, 1},      {3, 1, .1},  {4, .5, .5},
       {1, .1, .05}, {100, 1, 1},  {1, .9, .9},    {1, 1e-3, 1e-3}, {1, 1, -.5}, {1, .9, -.8},
       {1, .5, -.1}, {1, .5, -.4}, {1, .3, -.29},  {7, 6.9, -1e-3}, {1, 1, 1e-3}};
-  for (const auto& shape : shapes) {
+  for (const auto& shape : shapes)
     for (int i = 0; i < 30; ++i) {
       const double size = i % 3 ? 1 : std::pow(10.0, uniform(random, -3, 3));
       const auto m = with_singular_values<T>({size * shape[0], size * shape[1], size * shape[2]}, random);
@@ -96,7 +96,6 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bound_for_either_sign_of_the_determinant", T
         CHECK(error(polar_with(kernel, m), truth) <= 8 * truth.condition);
       }
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("polar_keeps_its_bound_on_random_matrices", T, double, float) {
@@ -125,12 +124,11 @@ TEST_CASE_TEMPLATE("singular_matrices_still_have_a_rotation", T, double, float) 
   for (const auto& m : {Mat3<T>{1, 0, 0, 0, 0, 0, 0, 0, 0}, Mat3<T>{1, 2, 3, 2, 4, 6, -1, -2, -3},
                         Mat3<T>{-1, 0, 0, 0, -1, 0, 0, 0, -1}, Mat3<T>{0, 0, 0, 1, 1, 0, 0, 0, 0}}) {
     const auto r = sym3::polar(m).rotation;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const T dot = r[i] * r[j] + r[3 + i] * r[3 + j] + r[6 + i] * r[6 + j];
         CHECK(std::fabs(dot - (i == j)) <= 16 * unit_roundoff<T>);
       }
-    }
     const T det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
                   r[2] * (r[3] * r[7] - r[4] * r[6]);
     CHECK(det > 0.99);
@@ -145,13 +143,12 @@ TEST_CASE_TEMPLATE("entries_of_any_size_are_fine_and_nan_or_infinity_gives_nine_
     for (T& x : m) x *= size;
     CHECK(sym3::polar(m).rotation == turn);
   }
-  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
+  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()})
     for (int k = 0; k < 9; ++k) {
       Mat3<T> m = turn;
       m[k] = bad;
       for (const T x : sym3::polar(m).rotation) CHECK(std::isnan(x));
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T, double, float) {

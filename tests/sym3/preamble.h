@@ -19,10 +19,9 @@ using sym3::Sym3;
 template <class T, class Check>
 void for_spreads(std::initializer_list<double> spreads, const Check& check) {
   const double least = sizeof(T) == 8 ? -700 : -80, most = sizeof(T) == 8 ? 705 : 87;
-  for (const double spread : spreads) {
+  for (const double spread : spreads)
     for (const double lowest : {0.0, -spread / 3, -spread / 2, -spread, sizeof(T) == 8 ? -690.0 : -80.0})
       if (lowest + spread < most && lowest + spread > least) check(spread, lowest);
-  }
 }
 
 template <class T>

@@ -142,9 +142,8 @@ QuadMat to_quad(const sym3::Mat3<T>& m) {
 
 inline QuadMat quad_product(const QuadMat& a, const QuadMat& b) {
   QuadMat c{};
-  for (int i = 0; i < 9; ++i) {
+  for (int i = 0; i < 9; ++i)
     for (int k = 0; k < 3; ++k) c[i] += a[i / 3 * 3 + k] * b[3 * k + i % 3];
-  }
   return c;
 }
 
@@ -235,14 +234,12 @@ double sensitivity(const F& f, const QuadMat& m) {
     std::array<double, 9> image{}, back{};
     double length = 0;
     for (int k = 0; k < 9; ++k) length = std::hypot(length, direction[k]);
-    for (int k = 0; k < 9; ++k) {
+    for (int k = 0; k < 9; ++k)
       for (int i = 0; i < 9; ++i) image[i] += by_entry[k][i] * direction[k] / length;
-    }
     largest = 0;
     for (const double x : image) largest = std::hypot(largest, x);
-    for (int k = 0; k < 9; ++k) {
+    for (int k = 0; k < 9; ++k)
       for (int i = 0; i < 9; ++i) back[k] += by_entry[k][i] * image[i];
-    }
     direction = back;
   }
   return largest;
@@ -271,21 +268,18 @@ inline QuadDerivative quad_derivative(sym3::Of f, double p, const QuadSym& s, co
                         {direction.xy, direction.yy, direction.yz},
                         {direction.xz, direction.yz, direction.zz}};
   Quad g[3][3] = {}, norm = 0;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k)
     for (int l = 0; l < 3; ++l) {
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) g[k][l] += v[i][k] * m[i][j] * v[j][l];
-      }
       const Quad slope = quad_slope(f, p, e.values[k], e.values[l]);
       g[k][l] *= slope;
       norm = std::max(norm, fabsq(slope));
     }
-  }
   const auto entry = [&](int i, int j) {
     Quad sum = 0;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
       for (int l = 0; l < 3; ++l) sum += v[i][k] * g[k][l] * v[j][l];
-    }
     return sum;
   };
   return {{entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)}, norm};

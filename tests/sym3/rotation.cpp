@@ -127,7 +127,7 @@ TEST_CASE_TEMPLATE("at_exactly_half_a_turn_the_first_component_is_positive", T, 
 
 TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
   Random random(66);
-  for (const double size : {0.03, 1e-3, 1e-5}) {
+  for (const double size : {0.03, 1e-3, 1e-5})
     for (int i = 0; i < 1000; ++i) {
       const auto w = vector_of_angle<T>(uniform(random, 0, 3), i, random);  // less than half a turn
       Mat3<T> r = rounded_rotation(w);
@@ -140,17 +140,15 @@ TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
       const double by = log_error(sym3::log_rotation(r), w) * unit_roundoff<T>;
       CHECK(by <= 2 * std::sqrt(moved) + 20 * unit_roundoff<T>);
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("rotations_from_nan_and_infinity_are_nan", T, double, float) {
-  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
+  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()})
     for (int i = 0; i < 3; ++i) {
       Vec3<T> w = {1, 2, 3};
       w[i] = bad;
       for (const T x : sym3::exp_rotation(w)) CHECK(std::isnan(x));
     }
-  }
 }
 
 TEST_CASE_TEMPLATE("logs_of_nan_infinity_and_overflow_are_three_nan", T, double, float) {
@@ -159,17 +157,14 @@ TEST_CASE_TEMPLATE("logs_of_nan_infinity_and_overflow_are_three_nan", T, double,
                            {1, 0, 0, 0, -1, 0, 0, 0, -1},
                            {-1, 0, 0, 0, 1, 0, 0, 0, -1},
                            {-1, 0, 0, 0, -1, 0, 0, 0, 1}};
-  for (const auto& kernel : sym3::kernels()) {
-    for (const auto& turn : turns) {
-      for (const T bad : {std::numeric_limits<T>::quiet_NaN(), infinity, -infinity, big, -big}) {
+  for (const auto& kernel : sym3::kernels())
+    for (const auto& turn : turns)
+      for (const T bad : {std::numeric_limits<T>::quiet_NaN(), infinity, -infinity, big, -big})
         for (int i = 0; i < 9; ++i) {
           Mat3<T> r = turn;
           r[i] = bad;
           for (const T x : log_with(kernel, r)) CHECK(std::isnan(x));
         }
-      }
-    }
-  }
 }
 
 TEST_CASE("huge_angles_still_give_a_rotation") {

@@ -102,11 +102,10 @@ TEST_CASE_TEMPLATE("special_values_give_the_documented_results_in_single_calls_a
   check_both<T, Mat3<T>>(
       "polar", [](const Mat3<T>& m) { return sym3::polar(m).rotation; },
       [](const auto& in, const auto& out, std::size_t n) { sym3::polar(in, out, n); });
-  for (const double p : {-2.5, 0.5, 3.0}) {
+  for (const double p : {-2.5, 0.5, 3.0})
     check_both<T, Sym3<T>>(
         "pow", [p](const Sym3<T>& s) { return sym3::pow(s, p); },
         [p](const auto& in, const auto& out, std::size_t n) { sym3::pow(in, p, out, n); });
-  }
 }
 
 TEST_CASE_TEMPLATE("special_values_give_the_documented_results_of_reference_methods", T, double, float) {

@@ -38,13 +38,12 @@ Mat3<double> random_matrix(Random& random, double size) {
 
 TEST_CASE("phi_is_its_series") {
   Random random(3);
-  for (const double size : {0.0, 1e-9, 1e-3, 0.2, 1.0, 3.0, 6.0}) {
+  for (const double size : {0.0, 1e-9, 1e-3, 0.2, 1.0, 3.0, 6.0})
     for (int n = 0; n < 50; ++n) {
       const auto m = random_matrix(random, size);
       const Vector x = random_vector(random, 1);
       CHECK(norm(plus(phi_times(m, x), -1, series(m, x))) < 1e-15 * std::exp(norm(m)) * (10 + 10 * size));
     }
-  }
 }
 
 TEST_CASE("the_even_part_less_half_the_log_undoes_phi_up_to_300_degrees") {

@@ -54,9 +54,9 @@ TEST_CASE_TEMPLATE("any_alignment_any_stores_and_any_place_of_a_batch_give_the_s
   const auto in = mixture<T>(count);
   for (const auto& kernel : sym3::kernels()) {
     const auto expected = one_by_one(kernel, in);
-    for (const Layout layout : layouts) {
-      for (std::size_t offset = 0; offset < 16; ++offset) {
-        for (const auto stores : {sym3::Stores::ordinary, sym3::Stores::streaming}) {
+    for (const Layout layout : layouts)
+      for (std::size_t offset = 0; offset < 16; ++offset)
+        for (const auto stores : {sym3::Stores::ordinary, sym3::Stores::streaming})
           for (const bool in_place : {false, true}) {
             Arranged<T> from(layout, in, count, offset), beside(layout, count, offset);
             Arranged<T>& to = in_place ? from : beside;
@@ -69,9 +69,6 @@ TEST_CASE_TEMPLATE("any_alignment_any_stores_and_any_place_of_a_batch_give_the_s
             CAPTURE(offset);
             CHECK(same);
           }
-        }
-      }
-    }
   }
 }
 

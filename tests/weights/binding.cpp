@@ -12,10 +12,9 @@ TEST_CASE("low_rank_rows_are_factored_by_a_few_rows_on_every_instruction_set") {
   const auto random = [](int n, int m) -> Eigen::MatrixXd { return Eigen::MatrixXd::Random(n, m); };
   const Eigen::MatrixXd whole = random(count, 5) * random(5, columns) + 1e-6 * random(count, columns);
   viete::base::AlignedVector<float> rows(count * columns);
-  for (int s = 0; s < count; ++s) {
+  for (int s = 0; s < count; ++s)
     for (int j = 0; j < columns; ++j)
       rows[s / lanes * lanes * columns + j * lanes + s % lanes] = static_cast<float>(whole(s, j));
-  }
   for (const auto& kernel : viete::sym3::kernels()) {
     CAPTURE(kernel.name);
     viete::base::AlignedVector<float> work = rows;

@@ -41,13 +41,12 @@ mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
   Random place(1), cut(seed);
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
-  for (std::uint32_t i = 0; i <= n; ++i) {
+  for (std::uint32_t i = 0; i <= n; ++i)
     for (std::uint32_t j = 0; j <= n; ++j) {
       const double dx = place(-moved, moved), dy = place(-moved, moved);
       const bool inner = i > 0 && i < n && j > 0 && j < n;
       p.push_back({(i + (inner ? dx : 0)) / n, (j + (inner ? dy : 0)) / n, 0});
     }
-  }
   for (std::uint32_t i = 0; i < n; ++i) {
     for (std::uint32_t j = 0; j < n; ++j) {
       const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
@@ -149,7 +148,7 @@ TEST_CASE("stiffness_is_symmetric_sums_to_zero_and_has_every_diagonal_entry") {
 
 TEST_CASE("thin_triangles_add_a_bounded_energy_that_is_never_negative") {
   Random random(3);
-  for (const double height : {1e-2, 1.1e-6, 0.9e-6, 1e-9, 1e-200, 0.0}) {
+  for (const double height : {1e-2, 1.1e-6, 0.9e-6, 1e-9, 1e-200, 0.0})
     for (const double foot : {0.0, 0.1, 0.5, 1.0}) {
       const std::vector<mesh::Point> p = {{0, 0, 0}, {2, 0, 0}, {2 * foot, 0, 2 * height}};
       CHECK(is_thin(p[0], p[1], p[2]) == (height <= thin_triangle));
@@ -162,7 +161,6 @@ TEST_CASE("thin_triangles_add_a_bounded_energy_that_is_never_negative") {
         CHECK(f.dot(k * f) >= -1e-15 * largest(k));
       }
     }
-  }
 }
 
 TEST_CASE("a_triangle_that_is_one_point_adds_nothing") {
@@ -244,8 +242,7 @@ TEST_CASE("no_weight_is_negative_for_any_triangles") {
 TEST_CASE("laplacian_weights_do_not_depend_on_scale") {
   const auto surface = soup(4, 40, 100);
   const auto here = intrinsic_laplacian(surface);
-  for (const double scale : {1e-90, 1e90}) {
+  for (const double scale : {1e-90, 1e90})
     CHECK(largest_difference(intrinsic_laplacian(mapped(surface, scaling(scale))).stiffness, here.stiffness) <
           1e-6 * (1 + largest_difference(here.stiffness, sparse_matrix(here.masses.size(), {}))));
-  }
 }

@@ -20,10 +20,9 @@ TEST_CASE("leaves_hold_every_vertex_once_and_fill_the_last_one") {
     CHECK(std::set<std::uint32_t>(leaves.order.begin(), leaves.order.begin() + std::ptrdiff_t(n)).size() ==
           n);
     for (std::size_t s = n; s < leaves.slot_count(); ++s) CHECK(leaves.order[s] == leaves.order[n - 1]);
-    for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf) {
+    for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf)
       for (std::size_t s = leaves.begin(leaf) + 1; s < std::min(n, leaves.end(leaf)); ++s)
         CHECK(triangles[leaves.order[s - 1]] <= triangles[leaves.order[s]]);
-    }
   }
 }
 
@@ -43,9 +42,8 @@ TEST_CASE("leaves_are_small_boxes") {
 TEST_CASE("neighbours_on_a_closed_surface_form_rings_or_end_where_they_began") {
   const auto model = tube(40, 20, 0.3, 1);
   std::vector<std::uint32_t> counts(model.positions.size());
-  for (const auto& t : model.triangles) {
+  for (const auto& t : model.triangles)
     for (const auto v : t) ++counts[v];
-  }
   const Leaves leaves = make_leaves(model.positions, counts);
   const Rings rings = make_rings(leaves, model.triangles);
   REQUIRE(rings.position_starts.size() == leaves.count() + 1);

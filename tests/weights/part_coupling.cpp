@@ -200,7 +200,7 @@ TEST_CASE("eyes_stay_in_their_sockets_about_as_well_as_with_mean_value_coordinat
     const double radius = 2.6 / (0.5 * std::numbers::pi), angle = p[2] / radius;
     return Vec3{radius - (radius - p[0]) * std::cos(angle), p[1], (radius - p[0]) * std::sin(angle)};
   };
-  for (const double gap : {0.002, 0.005, 0.01}) {
+  for (const double gap : {0.002, 0.005, 0.01})
     for (const double radius : {0.1, 0.12, 0.25, 0.3}) {
       CAPTURE(gap);
       CAPTURE(radius);
@@ -215,7 +215,6 @@ TEST_CASE("eyes_stay_in_their_sockets_about_as_well_as_with_mean_value_coordinat
       CHECK(apart(smooth, twist) < 1.6 * apart(mean_value, twist));
       CHECK(apart(smooth, bent) < 1.6 * apart(mean_value, bent));
     }
-  }
 }
 
 // Suzanne's eyes touch the head. One corner of each eye is 1.5 % of the diagonal away from the head.

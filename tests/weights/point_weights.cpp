@@ -1,5 +1,6 @@
 #include "weights/point_weights.h"
 #include "deform/bound.h"
+#include "support/shapes.h"
 
 using namespace viete::test;
 
@@ -218,7 +219,7 @@ TEST_CASE("towards_vertex_edge_and_face_weights_stay_exact_and_reach_the_limit")
   const Vec3 inward{0.3, 0.2, -1};
   for (const Vec3& limit : {x[4], 0.5 * (x[t[0]] + x[t[1]]), (1.0 / 3) * (x[t[0]] + x[t[1]] + x[t[2]])}) {
     const auto on = at(cage, limit).weights;
-    for (double d = 1e-2; d > 1e-18; d /= 10) {
+    for (double d = 1e-2; d > 1e-18; d /= 10)
       for (const double side : {1.0, -1.0}) {
         const Vec3 p = limit + (side * d) * inward;
         const Answer a = at(cage, p);
@@ -227,7 +228,6 @@ TEST_CASE("towards_vertex_edge_and_face_weights_stay_exact_and_reach_the_limit")
         for (std::size_t i = 0; i < on.size(); ++i)
           CHECK(std::abs(a.weights[i] - on[i]) < 20 * d * (1 - std::log(d)) + 1e-12);
       }
-    }
   }
 }
 
@@ -295,15 +295,7 @@ TEST_CASE("inconsistent_faces_give_the_weights_of_consistent_ones") {
 }
 
 TEST_CASE("a_cage_without_outside_is_rejected_only_for_mean_value_coordinates") {
-  std::vector<viete::mesh::Point> positions;
-  std::vector<viete::mesh::Triangle> triangles;
-  for (std::uint32_t i = 0; i < 6; ++i) {  // a Moebius strip
-    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
-    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
-    triangles.push_back({a, c, b});
-    triangles.push_back({b, c, d});
-  }
-  const auto strip = viete::mesh::from_triangles(positions, triangles);
+  const auto strip = moebius_strip();
   const auto model = tube(6, 5, 0.3, 1);
   CHECK_THROWS_WITH_AS(Bound(model, strip, mean_values, 2, Blend::linear), doctest::Contains("oriented"),
                        viete::base::Error);

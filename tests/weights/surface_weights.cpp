@@ -36,10 +36,9 @@ Eigen::MatrixXd solved_weights(const mesh::Surface& model, const Cage& cage, con
   Eigen::MatrixXd weights(system.vertices(), system.handles());
   system.solve(
       [&](const SurfaceSystem::Solved& s) {
-        for (std::size_t v = 0; v < system.vertices(); ++v) {
+        for (std::size_t v = 0; v < system.vertices(); ++v)
           for (std::size_t c = 0; c < s.count; ++c)
             weights(Eigen::Index(v), Eigen::Index(s.first + c)) = s.of(v)[c];
-        }
       },
       pool, nullptr);
   return weights;
@@ -112,13 +111,12 @@ TEST_CASE("along_a_tube_harmonic_weights_are_those_of_resistors_in_a_row") {
   const double chord = 2 * radius * std::sin(pi / sides), step = length / (rings - 1);
   const double cap = 1 / (sides * std::tan(pi / sides)), ring = step / (sides * chord);
   const double total = 2 * cap + (rings - 1) * ring;
-  for (std::uint32_t r = 0; r < rings; ++r) {
+  for (std::uint32_t r = 0; r < rings; ++r)
     for (std::uint32_t s = 0; s < sides; ++s) {
       const double expected = (cap + r * ring) / total;
       CHECK(weights(r * sides + s, 1) == doctest::Approx(expected).epsilon(1e-12));
       CHECK(weights(r * sides + s, 0) == doctest::Approx(1 - expected).epsilon(1e-12));
     }
-  }
   CHECK(weights(rings * sides, 0) == 1);
   CHECK(weights(rings * sides, 1) == 0);
   CHECK(weights(rings * sides + 1, 1) == 1);
@@ -174,16 +172,14 @@ TEST_CASE("biharmonic_weights_are_the_least_of_bending_and_springs") {
   const auto [stiffness, masses] = intrinsic_laplacian(model);
   const auto n = Eigen::Index(model.positions.size()), k = Eigen::Index(cage.element_count());
   Eigen::MatrixXd l = Eigen::MatrixXd::Zero(n, n), target = Eigen::MatrixXd::Zero(n, k);
-  for (std::size_t j = 0; j < stiffness.size(); ++j) {
+  for (std::size_t j = 0; j < stiffness.size(); ++j)
     for (auto i = stiffness.starts[j]; i < stiffness.starts[j + 1]; ++i)
       l(stiffness.rows[i], Eigen::Index(j)) = stiffness.values[i];
-  }
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index v = 0; v < n; ++v) system += l.col(v) * l.row(v) / masses[v];
-  for (Eigen::Index h = 0; h < k; ++h) {
+  for (Eigen::Index h = 0; h < k; ++h)
     for (const auto& one : owned.of_handle[std::size_t(h)])
       target(one.vertex, h) = double(k) * std::min(1.0, owned.owners[one.vertex]) * owned.value(one);
-  }
   for (Eigen::Index v = 0; v < n; ++v) system(v, v) += double(k) * std::min(1.0, owned.owners[v]);
   const Eigen::MatrixXd expected = system.ldlt().solve(target);
   const auto weights = solved_weights(model, cage, biharmonics);
@@ -198,11 +194,10 @@ TEST_CASE("biharmonic_weights_hardly_depend_on_how_fine_the_model_is") {
   const auto coarse = solved_weights(tube(rings, sides, 0.5, 3), cage, biharmonics);
   const auto fine = solved_weights(tube(2 * rings - 1, 2 * sides, 0.5, 3), cage, biharmonics);
   double worst = 0;
-  for (std::uint32_t r = 0; r < rings; ++r) {
+  for (std::uint32_t r = 0; r < rings; ++r)
     for (std::uint32_t s = 0; s < sides; ++s)
       worst = std::max(worst,
                        (coarse.row(r * sides + s) - fine.row(4 * r * sides + 2 * s)).cwiseAbs().maxCoeff());
-  }
   CHECK(worst < 0.02);
 }
 
@@ -213,9 +208,8 @@ TEST_CASE("parts_that_no_handle_owns_and_stray_vertices_follow_the_nearest_part_
   const Cage cage = triangles_at({{0, 0, -2}, {0, 0, 2}, {-1, 0, 0}});
   const auto nearest = [&](const Vec3& p) {
     std::size_t best = 0;
-    for (std::size_t v = 0; v < main.positions.size(); ++v) {
+    for (std::size_t v = 0; v < main.positions.size(); ++v)
       if (norm(main.positions[v] - p) < norm(main.positions[best] - p)) best = v;
-    }
     return Eigen::Index(best);
   };
   for (const auto& weighting : {harmonics, biharmonics}) {
@@ -290,10 +284,9 @@ TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
       CHECK(worst < (storage == Storage::factors ? usual_tolerance : 1e-7));
       const auto sampled = spread_vertices(all.vertices, error_sample);
       REQUIRE(tiled.tiles->sample.size() == sampled.size() * all.handles);
-      for (std::size_t s = 0; s < sampled.size(); ++s) {
+      for (std::size_t s = 0; s < sampled.size(); ++s)
         for (std::size_t j = 0; j < all.handles; ++j)
           CHECK(tiled.tiles->sample[s * all.handles + j] == all.weights[sampled[s] * all.handles + j]);
-      }
     }
     CHECK(bind_vertices(weigher, *all.rest, known_row(all), nullptr, vertices).binding.weights ==
           all.weights);

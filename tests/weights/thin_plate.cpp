@@ -26,11 +26,10 @@ double worst_difference(const ThinPlate& plate, const Eigen::MatrixXd& expected)
     const std::size_t end = std::min(begin + solved_columns, loads);
     base::AlignedVector<double> block(n * solved_columns, 0.0);
     plate.solve(begin, end, block);
-    for (std::size_t v = 0; v < n; ++v) {
+    for (std::size_t v = 0; v < n; ++v)
       for (std::size_t k = begin; k < end; ++k)
         worst = std::max(worst, std::abs(block[plate.solver().row_of(v) + k - begin] -
                                          expected(Eigen::Index(v), Eigen::Index(k))));
-    }
   }
   return worst;
 }
@@ -43,9 +42,8 @@ Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldP
   const auto n = l.rows();
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n),
                   right = Eigen::MatrixXd::Zero(n, Eigen::Index(loads.size()));
-  for (Eigen::Index v = 0; v < n; ++v) {
+  for (Eigen::Index v = 0; v < n; ++v)
     if (laplacian.masses[v] > 0) system += l.col(v) * l.row(v) / laplacian.masses[v];
-  }
   for (Eigen::Index v = 0; v < n; ++v) {
     if (has_spring[v]) system(v, v) += strengths[std::size_t(v)];
     if (parts.holds(std::uint32_t(v))) continue;
@@ -53,9 +51,8 @@ Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldP
     system.col(v).setZero();
     system(v, v) = 1;
   }
-  for (std::size_t k = 0; k < loads.size(); ++k) {
+  for (std::size_t k = 0; k < loads.size(); ++k)
     for (const auto& [v, value] : loads[k]) right(v, Eigen::Index(k)) = strengths[v] * value;
-  }
   return system.ldlt().solve(right);
 }
 

@@ -36,11 +36,10 @@ TEST_CASE("in_every_preset_a_key_runs_one_command") {
     CHECK(text(keys_of(keymap, "view_home").first) == "Home");
     for (const Command& command : commands()) {
       const Shortcuts keys = keymap.of(command);
-      for (const Shortcut& key : {keys.first, keys.second}) {
+      for (const Shortcut& key : {keys.first, keys.second})
         for (const Command* other : keymap.commands_of(key))
           CHECK_MESSAGE((other == &command || shares_keys(other->name, command.name)), command.name, " and ",
                         other->name, " by ", text(key), " in ", choices(KeyPreset{})[i].word);
-      }
     }
   }
 }

@@ -156,7 +156,7 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
   REQUIRE(selected.size() == 1);
   const Gizmo gizmo = *gizmo_of(m.w);
   int tried = 0;
-  for (const auto& ring : gizmo.rings) {
+  for (const auto& ring : gizmo.rings)
     for (const auto& point : ring) {
       const glm::vec2 outward = glm::normalize(point.at - gizmo.center);
       for (const float off : {-11.0f, 11.0f}) {
@@ -171,7 +171,6 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
         m.move({1, 1});
       }
     }
-  }
   CHECK(tried > 0);
 }
 

@@ -124,7 +124,7 @@ const char* name_of(Kind kind) {
 }  // namespace
 
 TEST_CASE("each_transition_leads_to_one_source_of_the_pose_and_undo_leads_back") {
-  for (const Transition& transition : transitions) {
+  for (const Transition& transition : transitions)
     for (const Kind before : {by_edit, by_frame, by_mix, by_pins, at_rest}) {
       CAPTURE(std::string(transition.name));
       CAPTURE(std::string(name_of(before)));
@@ -137,7 +137,6 @@ TEST_CASE("each_transition_leads_to_one_source_of_the_pose_and_undo_leads_back")
       CHECK(std::string(name_of(scene.source())) == name_of(before));
       CHECK(scene.w.document.pose().positions == positions);
     }
-  }
 }
 
 TEST_CASE("an_opened_session_between_keys_shows_the_weights_of_its_keys") {

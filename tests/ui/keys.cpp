@@ -1,29 +1,28 @@
 // The keys of all keymaps, the list of keys, and help about keys and mouse.
 
-#include "program/driver.h"
 #include "support/text.h"
 #include "ui/help_overlay.h"
+#include "ui/panel_driver.h"
 
 using namespace viete;
-using test::Driver;
+using test::PanelDriver;
 
 namespace {
 
-void choose_preset(Driver& d, workspace::KeyPreset preset) {
+void choose_preset(PanelDriver& d, workspace::KeyPreset preset) {
   d.run(("keys_" + std::string(workspace::entry_of(preset).word)).c_str());
 }
 
-workspace::Keymap& keymap(Driver& d) {
+workspace::Keymap& keymap(PanelDriver& d) {
   return d.workspace().preferences.keymap;
 }
 
-std::string key_of(Driver& d, const char* command) {
+std::string key_of(PanelDriver& d, const char* command) {
   return workspace::text(keymap(d).of(*workspace::find_command(command)).first);
 }
 
-void open_list(Driver& d) {
+void open_list(PanelDriver& d) {
   d.choose("menu/Help", "menu/help");
-  d.frame(2);
   REQUIRE(d.workspace().panels.key_list.open);
 }
 
@@ -36,13 +35,11 @@ bool says(const std::vector<ui::MouseLine>& lines, const std::string& words) {
 }  // namespace
 
 TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
-  Driver d;
-  d.open_dragon();
+  PanelDriver d;
   open_list(d);
   d.click("keys_text");
   d.type("wireframe");
   d.click("key/toggle_wireframe");
-  d.frame();
   REQUIRE(d.workspace().view.interaction.setting_key == "toggle_wireframe");
   const bool grid = d.workspace().view.options.grid;
   d.press_key('G');
@@ -57,25 +54,21 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   CHECK(key_of(d, "toggle_wireframe") == "Shift+W");
   CHECK(key_of(d, "toggle_grid") == "G");
   d.click("close_keys");
-  d.frame(2);
   CHECK_FALSE(d.workspace().panels.key_list.open);
   d.press_key('G');
   CHECK(d.workspace().view.options.grid != grid);
 }
 
 TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes_a_key") {
-  Driver d;
-  d.open_dragon();
+  PanelDriver d;
   open_list(d);
   d.click("keys_text");
   d.type("undo");
   d.click("key/undo");
-  d.frame();
   d.press_key(workspace::Key::escape);
   CHECK(d.workspace().panels.key_list.open);
   CHECK(key_of(d, "undo") == "Ctrl+Z");
   d.click("key/undo");
-  d.frame();
   d.press_key(workspace::Key::delete_key);
   CHECK(key_of(d, "undo").empty());
   const workspace::Keymap changed = keymap(d);
@@ -85,13 +78,11 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   d.click("reset_keys");  // restores the changed keys
   CHECK(keymap(d) == changed);
   d.press_key(workspace::Key::escape);
-  d.frame();
   CHECK_FALSE(d.workspace().panels.key_list.open);
 }
 
 TEST_CASE("mouse_help_matches_the_preset") {
-  Driver d;
-  d.open_dragon();
+  PanelDriver d;
   choose_preset(d, workspace::KeyPreset::viewer);
   CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: orbit"));
   CHECK(says(ui::mouse_lines(keymap(d)), "Right drag: pan"));

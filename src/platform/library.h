@@ -1,17 +1,11 @@
-// The system's own OpenGL without a visible window: egl_context.cpp or, on Windows, hidden_window.cpp.
+// Libraries that are loaded at run time, with functions of any type.
 #pragma once
 
-#include <memory>
-
 #include "base/os.h"
-#include "platform/offscreen_context.h"
 
 namespace viete::platform {
 
-/// Throws base::Error with the reason if no context can be created.
-std::unique_ptr<OffscreenContext> make_driver_context();
-
-// A function of a library, for conversion to its type.
+/// A function of a library. Converts to a pointer of the function's type.
 struct Function {
   void* address;
   template <class Pointer>
