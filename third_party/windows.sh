@@ -145,7 +145,7 @@ dependencies
 icon
 say "building the program"
 if [ "${2:-}" = tests ]; then
-  compile ON all_for_windows
+  compile ON viete viete-console test_base test_sym3 test_mesh test_deform test_files
 else
   compile OFF viete viete-console viete-bench
   pack

@@ -161,7 +161,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
   std::fprintf(stderr, "viete: no window can be opened (%s); saved a picture as %s instead\n", reason.c_str(),
-               picture.c_str());
+               picture.string().c_str());
   return exit_ok;
 }
 

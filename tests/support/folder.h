@@ -2,25 +2,52 @@
 #pragma once
 
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#ifdef _WIN32
+#include <process.h>
+#else
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
 namespace viete::test {
+
+#ifdef _WIN32
+inline int process_id() {
+  return _getpid();
+}
+inline void set_environment(const char* name, const std::string& value) {
+  _putenv_s(name, value.c_str());
+}
+#else
+inline int process_id() {
+  return getpid();
+}
+inline void set_environment(const char* name, const std::string& value) {
+  setenv(name, value.c_str(), 1);
+}
+#endif
+
+inline std::filesystem::path new_temporary_folder(const std::string& name) {
+  for (int i = 0;; ++i) {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                         (name + std::to_string(process_id()) + "_" + std::to_string(i));
+    if (std::filesystem::create_directory(folder)) return folder;
+  }
+}
 
 /// A new folder. The destructor removes it.
 class TemporaryFolder {
 public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "viete_test_XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
+  TemporaryFolder() : path_(new_temporary_folder("viete_test_")) {}
   ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
@@ -47,6 +74,7 @@ inline void put_file(const std::filesystem::path& path, const std::string& bytes
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+#ifndef _WIN32
 /// Simulates a full disk by a limit on file sizes. The destructor removes the limit.
 class FullDisk {
 public:
@@ -67,5 +95,6 @@ private:
   rlimit before_{};
   void (*handler_)(int) = SIG_DFL;
 };
+#endif
 
 }  // namespace viete::test

@@ -1,10 +1,10 @@
 // The main() of every test program. Tests use a temporary folder for settings, to keep the user's settings.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
+#include "support/folder.h"
 #include "support/skip.h"
 
 namespace {
@@ -46,13 +46,12 @@ void viete::test::skip(const std::string& why) {
 }
 
 int main(int argc, char** argv) {
-  std::string folder = (std::filesystem::temp_directory_path() / "viete_test_state_XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) return 1;
-  if (setenv("XDG_STATE_HOME", folder.c_str(), 1) != 0) return 1;
-  if (setenv("XDG_CACHE_HOME", (folder + "/cache").c_str(), 1) != 0) return 1;
-  const pid_t here = getpid();
+  const std::filesystem::path folder = viete::test::new_temporary_folder("viete_test_state_");
+  viete::test::set_environment("XDG_STATE_HOME", folder.string());
+  viete::test::set_environment("XDG_CACHE_HOME", (folder / "cache").string());
+  const int process = viete::test::process_id();
   const int code = run(argc, argv);
   std::error_code ignored;
-  if (getpid() == here) std::filesystem::remove_all(folder, ignored);
+  if (viete::test::process_id() == process) std::filesystem::remove_all(folder, ignored);
   return code;
 }

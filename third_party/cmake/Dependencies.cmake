@@ -63,7 +63,7 @@ if(VIETE_BUILD_TESTS)
   find_package(doctest REQUIRED)
   dep(doctest doctest::doctest)
 endif()
-if(VIETE_BUILD_TESTS AND VIETE_BUILD_VIEWER)
+if(VIETE_BUILD_TESTS AND VIETE_BUILD_VIEWER AND NOT WIN32)
   # An independent glTF reader, for tests.
   find_package(TinyGLTF QUIET)
   if(NOT TARGET TinyGLTF::TinyGLTF)
