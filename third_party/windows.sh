@@ -14,12 +14,12 @@ say() { echo "windows.sh: $*" >&2; }
 
 # log NAME COMMAND...: runs a command with its output in a file; shows the file if the command fails.
 log() {
-  name=$1
+  step=$1
   shift
   mkdir -p "$work/logs"
-  if ! "$@" >"$work/logs/$name" 2>&1; then
-    cat "$work/logs/$name" >&2
-    say "$name failed; the output above is in $work/logs/$name"
+  if ! "$@" >"$work/logs/$step" 2>&1; then
+    cat "$work/logs/$step" >&2
+    say "$step failed; the output above is in $work/logs/$step"
     return 1
   fi
 }

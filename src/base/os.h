@@ -57,7 +57,7 @@ std::string processor_name();
 /// Bytes; nullopt if unknown.
 std::optional<double> total_memory();
 std::optional<double> free_memory();
-/// The calling thread's processor time in seconds.
+/// The calling thread's processor time in seconds; wall time if the system does not measure it.
 double thread_seconds();
 /// Returns null if the memory is not available. `alignment` must be a power of two.
 void* allocate_aligned(std::size_t alignment, std::size_t bytes);

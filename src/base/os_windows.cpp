@@ -71,7 +71,6 @@ struct CloseHandleOf {
 using Handle = std::unique_ptr<HANDLE, CloseHandleOf>;
 
 constexpr DWORD share_all = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
-
 bool is_valid(const Handle& handle) {
   return handle && handle.get() != INVALID_HANDLE_VALUE;
 }
@@ -195,24 +194,24 @@ std::optional<double> free_memory() {
 
 namespace {
 
-double seconds_of(const FILETIME& time) {
-  return 1e-7 * static_cast<double>(std::uint64_t{time.dwHighDateTime} << 32 | time.dwLowDateTime);
-}
-
-// Thread times have steps of 15 ms, cycle counts are exact. Returns the seconds of a cycle, measured once.
+// Thread times have steps of 15 ms, cycle counts are exact. Returns the seconds of a cycle: the least of a
+// few measurements, because other programs can interrupt one. 0 if cycles are not counted, as with Wine.
 double seconds_of_cycle() {
-  const auto cycles = [] {
-    ULONG64 count = 0;
-    return QueryThreadCycleTime(GetCurrentThread(), &count) ? count : 0;
-  };
   using Clock = std::chrono::steady_clock;
-  const auto begun = Clock::now();
-  const ULONG64 first = cycles();
-  while (Clock::now() - begun < std::chrono::milliseconds(3)) {
+  double least = 0;
+  for (int i = 0; i < 5; ++i) {
+    ULONG64 first = 0, last = 0;
+    const auto begun = Clock::now();
+    QueryThreadCycleTime(GetCurrentThread(), &first);
+    while (Clock::now() - begun < std::chrono::milliseconds(1)) {
+    }
+    QueryThreadCycleTime(GetCurrentThread(), &last);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    if (last <= first) return 0;
+    const double cycle = seconds / static_cast<double>(last - first);
+    least = i == 0 ? cycle : std::min(least, cycle);
   }
-  const ULONG64 count = cycles() - first;
-  const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-  return count > 0 ? seconds / static_cast<double>(count) : 0;
+  return least;
 }
 
 }  // namespace
@@ -222,9 +221,7 @@ double thread_seconds() {
   ULONG64 cycles = 0;
   if (cycle > 0 && QueryThreadCycleTime(GetCurrentThread(), &cycles))
     return cycle * static_cast<double>(cycles);
-  FILETIME created, ended, kernel, user;
-  if (!GetThreadTimes(GetCurrentThread(), &created, &ended, &kernel, &user)) return 0;
-  return seconds_of(kernel) + seconds_of(user);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 void* allocate_aligned(std::size_t alignment, std::size_t bytes) {
