@@ -69,7 +69,7 @@ TEST_CASE("names_in_any_script_and_with_spaces_are_written_and_read") {
     CHECK(test::file_bytes(inner) == "other text");
     CHECK(inner.filename().string() == name);
   }
-  CHECK(os::is_write_protected(folder / "with space") == false);
+  CHECK_FALSE(os::is_write_protected(folder / "with space" / "with space"));
   fs::permissions(folder / "with space" / "with space",
                   fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write,
                   fs::perm_options::remove);

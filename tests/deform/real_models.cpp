@@ -89,7 +89,7 @@ TEST_CASE("odd_cages_and_poses_give_an_error_or_finite_positions" * doctest::tes
   const auto model = read(data / "ok_mesh.obj");
   int bound = 0;
   for (const auto& entry : fs::directory_iterator(data)) {
-    const std::string file = entry.path().filename();
+    const std::string file = entry.path().filename().string();
     if (file.rfind("cage_", 0) != 0 || file.rfind("cage_pose", 0) == 0) continue;
     CAPTURE(file);
     for (const auto& c : {faces, mean_values}) {
