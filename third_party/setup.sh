@@ -11,9 +11,11 @@ usage: third_party/setup.sh [COMMAND] [ARGS...]
   build                 install dependencies, build the program: build/viete
   bench [ARGS...]       install dependencies, build and run the benchmarks: build/viete bench
   package               build portable packages of the program and the library: build-package/*.deb
-  deps [test|package]   only install dependencies of the program (and of tests or packages)
+  portable              build a folder for any Linux: build-portable/*.tar.xz
+  wheel                 build a wheel of the Python module for any Linux: build-wheel/*.whl
+  deps [COMMAND]        only install dependencies of the program (and of test, package, portable or wheel)
   help                  show this help
-The first run builds kernels for this processor only, which is faster; test and package build all kernels.
+The first run builds kernels for this processor only, which is faster; packages and tests have all kernels.
 JOBS=2 limits the number of parallel compilers.
 TEXT
 }
@@ -26,8 +28,9 @@ program_wish="cmark-gfm libfontconfig-dev fonts-inter fonts-jetbrains-mono libos
 tests="doctest-dev libtinygltf-dev pybind11-dev python3-dev python3-numpy"
 # Optional for tests: a virtual display with a mouse, and package inspection.
 tests_wish="xvfb xdotool dpkg-dev file mypy"
-# Finds the library dependencies of packages.
+# Finds the library dependencies of packages; unpacks sources and packs wheels.
 packing="dpkg-dev file"
+wheel="$packing pybind11-dev python3-dev python3-numpy python3-wheel"
 
 say() { echo "setup.sh: $*" >&2; }
 
@@ -96,12 +99,14 @@ not_installed() {
   return 1
 }
 
-# deps program|test|package: installs missing packages; missing optional packages are not an error.
+# deps program|test|package|portable|wheel: installs missing packages; missing optional packages are not an error.
 deps() {
   need=$program wish=$program_wish unreachable=""
   case "$1" in
     test) need="$need $tests" wish="$wish $tests_wish" ;;
     package) need="$need $packing" ;;
+    portable) need="$need $packing xz-utils" ;;
+    wheel) need="$need $wheel" ;;
   esac
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     say "apt-get not found; install the equivalents of:" $need "and, if available:" $wish
@@ -220,7 +225,7 @@ compiling() {
 give_back() {
   [ "$(id -u)" = 0 ] || return 0
   owner=$(stat -c %u:%g "$here")
-  for made in "$here/build" "$here/build-package" "$here/.cache"; do
+  for made in "$here/build" "$here/build-package" "$here/build-portable" "$here/build-wheel" "$here/.cache"; do
     if [ -e "$made" ] && [ "$(stat -c %u:%g "$made")" != "$owner" ]; then chown -R "$owner" "$made"; fi
   done
 }
@@ -277,7 +282,7 @@ terminal=0 locked=""
 verb="${1:-run}"
 [ $# -eq 0 ] || shift
 case "$verb" in
-  run | bench | test | build | package | deps) ;;
+  run | bench | test | build | package | portable | wheel | deps) ;;
   help | -h | --help) usage; exit 0 ;;
   *) usage >&2; exit 2 ;;
 esac
@@ -287,7 +292,7 @@ trap 'exit 130' INT TERM HUP
 case "$verb" in
   deps)
     case "${1:-program}" in
-      program | test | package) deps "${1:-program}" ;;
+      program | test | package | portable | wheel) deps "${1:-program}" ;;
       *) usage >&2; exit 2 ;;
     esac
     exit 0
@@ -296,6 +301,11 @@ case "$verb" in
   bench) deps program; build_program viete-bench ;;
   test) deps test; build_tests ;;
   package) deps package; build_package ;;
+  portable | wheel)
+    deps "$verb"
+    . "$here/third_party/portable.sh"
+    "build_$verb"
+    ;;
 esac
 clean_up
 trap - EXIT
