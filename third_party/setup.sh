@@ -27,7 +27,7 @@ libstb-dev libcli11-dev nlohmann-json3-dev libegl-dev libgl-dev libegl1 libgl1 l
 program_wish="cmark-gfm libfontconfig-dev fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
 tests="doctest-dev libtinygltf-dev pybind11-dev python3-dev python3-numpy"
 # Optional for tests: a virtual display with a mouse, and package inspection.
-tests_wish="xvfb xdotool dpkg-dev file mypy"
+tests_wish="xvfb xdotool dpkg-dev file mypy desktop-file-utils"
 # Finds the library dependencies of packages; unpacks sources and packs wheels.
 packing="dpkg-dev file"
 wheel="$packing pybind11-dev python3-dev python3-numpy python3-wheel"

@@ -200,5 +200,12 @@ stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) : >"$2/viete_1_
 gives 0 'created .*build-package/viete_1_amd64.deb' package
 expect 'packages are built for any machine' called 'cmake -S .*build-package.*VIETE_KERNELS=all'
 
+lacks '*python3-wheel* | *xz-utils*' 'exec "$@"'
+run "$script" deps portable
+expect 'portable needs xz' called ' -y install .*xz-utils'
+expect 'portable needs no Python' no called ' -y install .*python3-wheel'
+run "$script" deps wheel
+expect 'wheel needs its packer' called ' -y install .*python3-wheel'
+
 [ $failures -eq 0 ] && echo "setup.sh: all is as it should be"
 exit $failures
