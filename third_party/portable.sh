@@ -1,9 +1,9 @@
-# Sourced by setup.sh: the portable folder of the program, and the wheel of the Python module.
-# Both run on every Linux whose libc is as new as the one here. Make them on Debian 12.
-version=$(sed -n 's/^project(viete VERSION \([0-9.]*\).*/\1/p' "$here/CMakeLists.txt")
+# Sourced by setup.sh: Debian packages, the portable folder of the program, and the wheel of the Python module.
+# All run on systems whose libc is as new as the one here. Make them on Debian 12.
 
-# Debian has only a shared library of OpenMesh, which needs the shared library of C++. A copy of that library, carried
-# along, would be older than the one that graphics drivers need; so OpenMesh is compiled from Debian's source package.
+# Debian has only a shared library of OpenMesh. Each release of Debian has another version of it, and it needs the shared
+# library of C++, which must not be carried along: graphics drivers may need a newer one. Therefore OpenMesh is
+# compiled from Debian's source package. Sets $openmesh to the folder.
 openmesh_sources() {
   package=openmesh=$(dpkg-query -W -f '${source:Version}' libopenmesh-dev)
   openmesh=$here/.cache/$package
@@ -17,14 +17,14 @@ openmesh_sources() {
       -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache=
     apt-get "$@" update || :  # other repositories may have no sources
     apt-get "$@" --download-only source "$package"
-  ) >"$work/apt.log" 2>&1 || { cat "$work/apt.log" >&2; return 1; }
-  tar -xf "$work"/openmesh_*.orig.tar.* -C "$work/openmesh" --strip-components=1
-  mv "$work/openmesh" "$openmesh"
+  ) >"$work/apt.log" 2>&1 &&
+    tar -xf "$work"/openmesh_*.orig.tar.* -C "$work/openmesh" --strip-components=1 &&
+    mv "$work/openmesh" "$openmesh"
 }
 
 # static_build TARGET FOLDER CMAKE-OPTIONS...
 static_build() {
-  openmesh_sources
+  openmesh_sources || { cat "$work/apt.log" >&2; return 1; }
   build "$@" -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all "-DVIETE_OPENMESH_SOURCES=$openmesh"
 }
 
@@ -50,10 +50,20 @@ copy_licences() {
   done
 }
 
+version() { sed -n 's/^project(viete VERSION \([0-9.]*\).*/\1/p' "$here/CMakeLists.txt"; }
+
+build_package() {
+  say "building the packages"
+  # Installs libraries to Debian's multiarch folder.
+  static_build package build-package "-DCMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)"
+  for made in "$here"/build-package/*.deb; do say "created $made"; done
+}
+
 build_portable() {
   say "building the portable folder"
   static_build all build-portable -DVIETE_BUILD_PYTHON=OFF -DCMAKE_INSTALL_BINDIR=. '-DCMAKE_INSTALL_RPATH=$ORIGIN/lib' \
     '-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc'
+  version=$(version)
   folder=$work/viete-$version all=$work/installed
   cmake --install "$here/build-portable" --prefix "$all" --component viewer --strip >/dev/null
   mkdir -p "$folder/lib" "$folder/share/fonts/opentype/inter" "$folder/share/fonts/truetype/jetbrains-mono"
@@ -84,6 +94,7 @@ build_wheel() {
   # Before 2.12, pybind11 reads arrays of numpy 1 only.
   numpy=numpy
   ! dpkg --compare-versions "$(dpkg-query -W -f '${Version}' pybind11-dev)" lt 2.12 || numpy='numpy<2'
+  version=$(version)
   folder=$work/wheel about=$work/wheel/viete-$version.dist-info
   mkdir -p "$about"
   strip -o "$folder/$(basename "$module")" "$module"

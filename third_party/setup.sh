@@ -10,7 +10,7 @@ usage: third_party/setup.sh [COMMAND] [ARGS...]
   test [CTEST ARGS...]  install dependencies, build program and tests, run the tests (-L long: the overnight tests)
   build                 install dependencies, build the program: build/viete
   bench [ARGS...]       install dependencies, build and run the benchmarks: build/viete bench
-  package               build portable packages of the program and the library: build-package/*.deb
+  package               build Debian packages of the program and the library: build-package/*.deb
   portable              build a folder for any Linux: build-portable/*.tar.xz
   wheel                 build a wheel of the Python module for any Linux: build-wheel/*.whl
   deps [COMMAND]        only install dependencies of the program (and of test, package, portable or wheel)
@@ -255,14 +255,6 @@ compile_times() {
     }' "$1" | sort -nr | awk '{ text = text ", " $2 " " $1 " s" } END { print "setup.sh: compiling took: " substr(text, 3) }' >&2
 }
 
-build_package() {
-  say "building the packages"
-  # Installs libraries to Debian's multiarch folder.
-  build package build-package -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all \
-    "-DCMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)"
-  for made in "$here"/build-package/*.deb; do say "created $made"; done
-}
-
 # Puts the tests' many small files into memory if there is enough, because the disk is slow.
 files_in_memory() {
   if [ -n "${TMPDIR:-}" ] || [ ! -w /dev/shm ]; then return 0; fi
@@ -300,8 +292,7 @@ case "$verb" in
   build | run) deps program; build_program viete ;;
   bench) deps program; build_program viete-bench ;;
   test) deps test; build_tests ;;
-  package) deps package; build_package ;;
-  portable | wheel)
+  package | portable | wheel)
     deps "$verb"
     . "$here/third_party/portable.sh"
     "build_$verb"

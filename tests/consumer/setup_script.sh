@@ -11,7 +11,7 @@ failures=0
 fresh() {
   rm -rf "${scratch:?}"/*
   mkdir -p "$scratch/check out/third_party" "$scratch/bin" "$scratch/elsewhere"
-  cp "$setup" "$scratch/check out/third_party/setup.sh"
+  cp "$setup" "${setup%/*}/portable.sh" "$scratch/check out/third_party"
   calls=$scratch/calls
   : >"$calls"
   stand_in dpkg-query 'echo installed'
@@ -197,7 +197,9 @@ gives 0 "process $busy" build
 
 fresh
 stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) : >"$2/viete_1_amd64.deb" ;; esac'
+mkdir -p "$scratch/check out/.cache/openmesh=installed"
 gives 0 'created .*build-package/viete_1_amd64.deb' package
+expect 'packages do not need the library of OpenMesh' called 'cmake -S .*VIETE_OPENMESH_SOURCES=.*openmesh=installed'
 expect 'packages are built for any machine' called 'cmake -S .*build-package.*VIETE_KERNELS=all'
 
 lacks '*python3-wheel* | *xz-utils*' 'exec "$@"'
