@@ -10,10 +10,13 @@ usage: third_party/setup.sh [COMMAND] [ARGS...]
   test [CTEST ARGS...]  install dependencies, build program and tests, run the tests (-L long: the overnight tests)
   build                 install dependencies, build the program: build/viete
   bench [ARGS...]       install dependencies, build and run the benchmarks: build/viete bench
-  package               build portable packages of the program and the library: build-package/*.deb
-  deps [test|package]   only install dependencies of the program (and of tests or packages)
+  package               build Debian packages of the program and the library: build-package/*.deb
+  portable              build a folder for any Linux: build-portable/*.tar.xz
+  wheel                 build a wheel of the Python module for any Linux: build-wheel/*.whl
+  windows               cross-compile the program for Windows: build-windows/*.zip
+  deps [COMMAND]        only install dependencies of the program (and of the other commands)
   help                  show this help
-The first run builds kernels for this processor only, which is faster; test and package build all kernels.
+The first run builds kernels for this processor only, which is faster; packages and tests have all kernels.
 JOBS=2 limits the number of parallel compilers.
 TEXT
 }
@@ -25,9 +28,11 @@ libstb-dev libcli11-dev nlohmann-json3-dev libegl-dev libgl-dev libegl1 libgl1 l
 program_wish="cmark-gfm libfontconfig-dev fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
 tests="doctest-dev libtinygltf-dev pybind11-dev python3-dev python3-numpy"
 # Optional for tests: a virtual display with a mouse, and package inspection.
-tests_wish="xvfb xdotool dpkg-dev file mypy"
-# Finds the library dependencies of packages.
+tests_wish="xvfb xdotool dpkg-dev file mypy desktop-file-utils"
+# Finds the library dependencies of packages; unpacks sources and packs wheels.
 packing="dpkg-dev file"
+windows="g++ cmake ninja-build pkg-config g++-mingw-w64-x86-64-posix dpkg-dev libgl-dev libegl-dev librsvg2-bin icoutils"
+wheel="$packing pybind11-dev python3-dev python3-numpy python3-wheel"
 
 say() { echo "setup.sh: $*" >&2; }
 
@@ -96,12 +101,15 @@ not_installed() {
   return 1
 }
 
-# deps program|test|package: installs missing packages; missing optional packages are not an error.
+# deps program|test|package|portable|wheel|windows: installs missing packages; missing optional packages are not an error.
 deps() {
   need=$program wish=$program_wish unreachable=""
   case "$1" in
     test) need="$need $tests" wish="$wish $tests_wish" ;;
     package) need="$need $packing" ;;
+    portable) need="$need $packing xz-utils" ;;
+    wheel) need="$need $wheel" ;;
+    windows) need=$windows wish="cmark-gfm fonts-inter fonts-jetbrains-mono" ;;
   esac
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     say "apt-get not found; install the equivalents of:" $need "and, if available:" $wish
@@ -220,7 +228,7 @@ compiling() {
 give_back() {
   [ "$(id -u)" = 0 ] || return 0
   owner=$(stat -c %u:%g "$here")
-  for made in "$here/build" "$here/build-package" "$here/.cache"; do
+  for made in "$here/build" "$here/build-package" "$here/build-portable" "$here/build-wheel" "$here/build-windows" "$here/.cache"; do
     if [ -e "$made" ] && [ "$(stat -c %u:%g "$made")" != "$owner" ]; then chown -R "$owner" "$made"; fi
   done
 }
@@ -250,14 +258,6 @@ compile_times() {
     }' "$1" | sort -nr | awk '{ text = text ", " $2 " " $1 " s" } END { print "setup.sh: compiling took: " substr(text, 3) }' >&2
 }
 
-build_package() {
-  say "building the packages"
-  # Installs libraries to Debian's multiarch folder.
-  build package build-package -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all \
-    "-DCMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)"
-  for made in "$here"/build-package/*.deb; do say "created $made"; done
-}
-
 # Puts the tests' many small files into memory if there is enough, because the disk is slow.
 files_in_memory() {
   if [ -n "${TMPDIR:-}" ] || [ ! -w /dev/shm ]; then return 0; fi
@@ -277,7 +277,7 @@ terminal=0 locked=""
 verb="${1:-run}"
 [ $# -eq 0 ] || shift
 case "$verb" in
-  run | bench | test | build | package | deps) ;;
+  run | bench | test | build | package | portable | wheel | windows | deps) ;;
   help | -h | --help) usage; exit 0 ;;
   *) usage >&2; exit 2 ;;
 esac
@@ -287,7 +287,7 @@ trap 'exit 130' INT TERM HUP
 case "$verb" in
   deps)
     case "${1:-program}" in
-      program | test | package) deps "${1:-program}" ;;
+      program | test | package | portable | wheel | windows) deps "${1:-program}" ;;
       *) usage >&2; exit 2 ;;
     esac
     exit 0
@@ -295,7 +295,12 @@ case "$verb" in
   build | run) deps program; build_program viete ;;
   bench) deps program; build_program viete-bench ;;
   test) deps test; build_tests ;;
-  package) deps package; build_package ;;
+  package | portable | wheel)
+    deps "$verb"
+    . "$here/third_party/portable.sh"
+    "build_$verb"
+    ;;
+  windows) deps windows; sh "$here/third_party/windows.sh" "$here/build-windows" ;;
 esac
 clean_up
 trap - EXIT

@@ -26,20 +26,14 @@ log() {
 
 # apt-get with the system's package servers, but for sources and with lists and cache in the work folder.
 apt_sources() {
-  apt-get -q -o APT::Sandbox::User=root -o Dir::Etc::SourceList="$work/apt/sources.list" -o Dir::Etc::SourceParts="$work/apt/parts" \
+  apt-get -q -o APT::Sandbox::User=root -o Dir::Etc::SourceList="$work/apt/sources.list" -o Dir::Etc::SourceParts=- \
     -o Dir::State::Lists="$work/apt/lists" -o Dir::Cache="$work/apt/cache" "$@"
 }
 
 list_sources() {
   rm -rf "$work/apt"
-  mkdir -p "$work/apt/parts" "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
-  touch "$work/apt/sources.list"
-  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
-    [ ! -e "$file" ] || sed -n 's/^deb /deb-src /p' "$file" >>"$work/apt/sources.list"
-  done
-  for file in /etc/apt/sources.list.d/*.sources; do
-    [ ! -e "$file" ] || sed 's/^Types:.*/Types: deb-src/' "$file" >"$work/apt/parts/$(basename "$file")"
-  done
+  mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
+  apt-get indextargets --format 'deb-src $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' >"$work/apt/sources.list"
   # Servers of other vendors may have no sources: only required packages must be found.
   apt_sources update || true
 }

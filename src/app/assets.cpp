@@ -16,10 +16,15 @@ fs::path program_folder() {
 
 namespace {
 
+// Beside the program in a portable folder, otherwise beside the program's folder bin.
+std::vector<fs::path> shared_folders() {
+  return {program_folder() / ".." / "share" / "viete", program_folder() / "share" / "viete"};
+}
+
 fs::path assets_folder() {
   std::vector<fs::path> places;
   if (std::string named = base::os::variable("VIETE_ASSETS"); !named.empty()) places.emplace_back(named);
-  for (const char* prefix : {"..", "."}) places.push_back(program_folder() / prefix / "share" / "viete");
+  for (auto& folder : shared_folders()) places.push_back(std::move(folder));
   places.emplace_back(VIETE_SOURCE_ASSETS);
   std::vector<std::string> looked;
   for (const auto& place : places) {
@@ -33,9 +38,10 @@ fs::path assets_folder() {
 
 fs::path manual_folder() {
   std::error_code ignored;
-  const fs::path program = program_folder();
-  for (const fs::path& folder : {program / "manual", program / ".." / "share" / "viete" / "manual",
-                                 program / "share" / "viete" / "manual"})
+  std::vector<fs::path> places = shared_folders();
+  for (fs::path& place : places) place /= "manual";
+  places.insert(places.begin(), program_folder() / "manual");
+  for (const fs::path& folder : places)
     if (fs::exists(folder / "index.html", ignored)) return fs::weakly_canonical(folder);
   throw base::Error("the manual", "its pages have not been built",
                     "read assets/manual/README.md in the sources, or install cmark-gfm and build again");

@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
+#include "base/process.h"
 #include "base/text.h"
 #include "files/output.h"
 #include "formats/source.h"

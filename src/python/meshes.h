@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/os.h"
 #include "library/deform.h"
 #include "python/matrices.h"
 

@@ -21,9 +21,10 @@ ImVec4 rgba(unsigned hex, float alpha = 1) {
   return c;
 }
 
-// Font folders of portable packages (beside the program), of distributions and of a Flatpak runtime.
-std::vector<std::filesystem::path> font_folders() {
-  return {base::os::program_file().parent_path() / "share" / "fonts", "/usr/share/fonts", "/app/share/fonts"};
+// Font folders of distributions, of a Flatpak runtime, and beside a portable program.
+std::array<std::filesystem::path, 3> font_folders() {
+  return {"/usr/share/fonts", "/app/share/fonts",
+          base::os::program_file().parent_path() / "share" / "fonts"};
 }
 
 // Ranges of ImGui, pairs of the first and last character, that end with 0.
@@ -37,7 +38,7 @@ Ranges ranges_of(const std::set<char32_t>& characters, Ranges ranges = {}) {
 
 ImFont* add_first(std::initializer_list<const char*> files, float size, const Ranges& ranges) {
   for (const char* file : files)
-    for (const std::filesystem::path& folder : font_folders()) {
+    for (const auto& folder : font_folders()) {
       std::error_code ignored;
       if (std::filesystem::exists(folder / file, ignored))
         return ImGui::GetIO().Fonts->AddFontFromFileTTF((folder / file).string().c_str(), size, nullptr,

@@ -15,7 +15,8 @@ struct SystemFont {
 };
 
 /// Returns few fonts that together have as many of the characters as possible, preferring fonts for the
-/// user's language. Characters without a font are omitted. Empty if the program was built without fontconfig.
+/// user's language. Characters without a font are omitted. Empty if
+/// fontconfig is missing.
 std::vector<SystemFont> fonts_with(std::set<char32_t> characters);
 
 }  // namespace viete::ui

@@ -11,7 +11,7 @@ failures=0
 fresh() {
   rm -rf "${scratch:?}"/*
   mkdir -p "$scratch/check out/third_party" "$scratch/bin" "$scratch/elsewhere"
-  cp "$setup" "$scratch/check out/third_party/setup.sh"
+  cp "$setup" "${setup%/*}/portable.sh" "$scratch/check out/third_party"
   calls=$scratch/calls
   : >"$calls"
   stand_in dpkg-query 'echo installed'
@@ -197,8 +197,17 @@ gives 0 "process $busy" build
 
 fresh
 stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) : >"$2/viete_1_amd64.deb" ;; esac'
+mkdir -p "$scratch/check out/.cache/openmesh=installed"
 gives 0 'created .*build-package/viete_1_amd64.deb' package
+expect 'packages do not need the library of OpenMesh' called 'cmake -S .*VIETE_OPENMESH_SOURCES=.*openmesh=installed'
 expect 'packages are built for any machine' called 'cmake -S .*build-package.*VIETE_KERNELS=all'
+
+lacks '*python3-wheel* | *xz-utils*' 'exec "$@"'
+run "$script" deps portable
+expect 'portable needs xz' called ' -y install .*xz-utils'
+expect 'portable needs no Python' no called ' -y install .*python3-wheel'
+run "$script" deps wheel
+expect 'wheel needs its packer' called ' -y install .*python3-wheel'
 
 [ $failures -eq 0 ] && echo "setup.sh: all is as it should be"
 exit $failures

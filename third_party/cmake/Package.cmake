@@ -55,7 +55,7 @@ if(VIETE_BUILD_VIEWER)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libgl1, libegl1 | libosmesa6")
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
-    "libgl1-mesa-dri, libxcursor1, libxi6, libxinerama1, libxrandr2, fonts-inter, fonts-jetbrains-mono")
+    "libgl1-mesa-dri, libfontconfig1, libxcursor1, libxi6, libxinerama1, libxrandr2, fonts-inter, fonts-jetbrains-mono")
   set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "deform a mesh by dragging the cage around it
 Drag the cage: the mesh follows in the same frame. Panels show the time and
 error of every stage. The command line renders pictures, deforms meshes and
