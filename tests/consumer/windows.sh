@@ -1,0 +1,100 @@
+#!/bin/sh
+# windows.sh SOURCES VIETE VERSION: makes the package for Windows and tries it with Wine: unit tests, pictures and files equal to
+# VIETE's, and the window by mouse. Skipped without MinGW or Wine; without Xvfb and xdotool, the window is not tried.
+set -eu
+sources="$1" viete="$2" version="$3"
+for tool in apt-get x86_64-w64-mingw32-g++-posix wine Xvfb xdotool; do
+  command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }
+done
+work=$(mktemp -d)
+export WINEPREFIX="$work/wine" WINEDEBUG=-all
+display=""
+
+clean_up() {
+  wineserver -k 2>/dev/null || true
+  [ -z "$display" ] || kill "$display" 2>/dev/null || true
+  rm -rf "$work"
+}
+trap clean_up EXIT
+
+wrong() {
+  echo "$*" >&2
+  exit 1
+}
+
+# until_true COMMAND...: waits at most a minute.
+until_true() {
+  for _ in $(seq 120); do
+    ! "$@" >/dev/null 2>&1 || return 0
+    sleep 0.5
+  done
+  wrong "waited in vain for: $*"
+}
+
+"$sources/third_party/setup.sh" windows >"$work/log" 2>&1 || { cat "$work/log"; wrong "setup.sh windows fails"; }
+archive="$sources/build-windows/viete-$version-win64.zip"
+built="$sources/build-windows/build/viete"
+sh "$sources/third_party/windows.sh" "$sources/build-windows" tests >"$work/log" 2>&1 || { cat "$work/log"; wrong "tests do not compile"; }
+for test in base sym3 mesh deform files; do
+  # Wine creates no symbolic links, and codes of names are bytes elsewhere.
+  (cd "$built/tests/$test" && wine "./test_$test.exe" --test-suite-exclude=if_present \
+    --test-case-exclude='saving_overwrites_no_open_file*,a_session_names_its_files_relative*,*percent*,*paths_that_are_not_utf8*') \
+    >"$work/log" 2>&1 || { cat "$work/log"; wrong "test_$test.exe fails"; }
+done
+
+place="$work/any where \303\251 \351\276\231"
+place=$(printf "$place")
+mkdir "$place"
+(cd "$place" && cmake -E tar xf "$archive")
+here="$place/viete-$version-win64"
+for file in viete.exe viete.com viete-bench.exe LICENSE.txt share/viete/dragon/dragon.ply share/viete/manual/index.html \
+  share/licences/openmesh.txt; do
+  test -s "$here/$file" || wrong "$archive has no $file"
+done
+x86_64-w64-mingw32-objdump -p "$here/viete.exe" | sed -n 's/.*DLL Name: //p' | tr A-Z a-z |
+  grep -v -x -E 'advapi32.dll|gdi32.dll|imm32.dll|kernel32.dll|msvcrt.dll|shell32.dll|user32.dll|ucrtbase.dll|api-ms-.*' && wrong "viete.exe needs these libraries"
+
+Xvfb -displayfd 5 -screen 0 1280x800x24 5>"$work/display" >/dev/null 2>&1 &
+display=$!
+until_true test -s "$work/display"
+DISPLAY=:$(cat "$work/display")
+export DISPLAY
+cd "$place"
+cp "$here/share/viete/dragon/dragon.ply" "$here/share/viete/dragon/cage.obj" "$here/share/viete/dragon/pose_coil.obj" .
+windows() { wine "$here/viete.com" "$@" 2>"$work/said"; }
+windows --version | grep -q "^viete $version" || wrong "viete.com prints no version"
+! windows info missing.obj || wrong "a missing file is no error"
+grep -q "there is no such file" "$work/said" || wrong "a missing file is not named"
+! windows deform dragon.ply cage.obj --pose pose_coil.obj -o dragon.ply --force || wrong "the open model was overwritten"
+! windows deform dragon.ply cage.obj --pose pose_coil.obj -o con.ply || wrong "con.ply was written"
+for deformer in smooth paper mean-value rigid arap local; do
+  windows deform dragon.ply cage.obj --pose pose_coil.obj --deformer $deformer -o "by windows \351.ply" --force
+  "$viete" deform dragon.ply cage.obj --pose pose_coil.obj --deformer $deformer -o "by linux.ply" --force 2>/dev/null
+  cmp "by windows \351.ply" "by linux.ply" || wrong "$deformer gives other bytes"
+done
+windows render dragon.ply cage.obj --pose pose_coil.obj --size 400x300 -o windows.png
+"$viete" render dragon.ply cage.obj --pose pose_coil.obj --size 400x300 -o linux.png
+test -s windows.png
+
+# window FILE...: opens the window and waits until it is drawn.
+window() {
+  wine "$here/viete.exe" "$@" >"$work/said" 2>&1 &
+  until_true xdotool search --onlyvisible --name ' - Viete'
+  sleep 8
+}
+# drag X Y DX DY
+drag() {
+  xdotool mousemove "$1" "$2" sleep 0.5 mousedown 1 sleep 0.3 mousemove_relative -- $(($3 / 2)) $(($4 / 2)) sleep 0.3 \
+    mousemove_relative -- $(($3 / 2)) $(($4 / 2)) sleep 0.3 mouseup 1 sleep 1
+}
+states="$WINEPREFIX/drive_c/users/$(id -un)/AppData/Local/viete"
+kept() { find "$states" -name '*-*.viete' | grep -q .; }
+window dragon.ply cage.obj
+xdotool key ctrl+a sleep 0.5  # selects the cage's vertices, whose gizmo is at the centre
+xdotool key Right sleep 1
+drag 620 400 60 40
+until_true kept
+xdotool key ctrl+s sleep 2 key Return
+until_true test -s dragon.viete
+xdotool key ctrl+z sleep 1 key ctrl+q sleep 2
+wineserver -k
