@@ -53,12 +53,11 @@ void print(const cages::Made& made, bool keeps_quads, double seconds) {
 void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const mesh::Surface& model,
                    base::WorkerPool& pool) {
   bool fits = true;
-  for (mesh::Point& p : cage.positions) {
+  for (mesh::Point& p : cage.positions)
     for (double& x : p) {
       x = static_cast<float>(x);
       fits = fits && std::isfinite(x);
     }
-  }
   if (fits && cages::soundness(cage, model, pool).sound()) return;
   throw base::Error(file.string(), "glTF stores coordinates with 7 digits, which are too few for this cage",
                     "write it as " + formats::format_extensions(formats::keeps_order));

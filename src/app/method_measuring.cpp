@@ -232,14 +232,13 @@ workspace::MethodStats measure_methods(std::span<const Matrix> matrices) {
   if (matrices.empty()) return stats;
   std::vector<Matrix> out(matrices.size());
   std::array<std::vector<double>, compared_methods.size()> seconds;
-  for (std::size_t round = 0; round < timed_rounds; ++round) {
+  for (std::size_t round = 0; round < timed_rounds; ++round)
     for (std::size_t m = 0; m < seconds.size(); ++m) {
       const double start = base::thread_seconds();
       sym3::exp<double>(matrices, out, compared_methods[m]);
       seconds[m].push_back(base::thread_seconds() - start);
       if (round == 0) stats.samples[m] = errors_of(out, matrices);
     }
-  }
   for (std::size_t m = 0; m < seconds.size(); ++m)
     stats.samples[m].ns_per_matrix = 1e9 * base::median(seconds[m]) / static_cast<double>(matrices.size());
   stats.matrices = matrices.size();

@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <string>
 #include <thread>
@@ -166,8 +164,7 @@ void make_binary(std::FILE* file) {
 // ---------------------------------------------------------------- machine
 
 std::string system_name() {
-  const wchar_t* const key = L"SOFTWARE\\Microsoft\\Windows NT\\CurrentVersion";
-  return registry_text(key, L"ProductName") + ", build " + registry_text(key, L"CurrentBuildNumber");
+  return registry_text(L"SOFTWARE\\Microsoft\\Windows NT\\CurrentVersion", L"ProductName");
 }
 
 std::string processor_name() {
@@ -177,51 +174,25 @@ std::string processor_name() {
   return name;
 }
 
-std::optional<double> total_memory() {
-  MEMORYSTATUSEX status{};
-  status.dwLength = sizeof status;
-  if (!GlobalMemoryStatusEx(&status)) return std::nullopt;
-  return static_cast<double>(status.ullTotalPhys);
-}
-
-// Memory that can be committed: Windows refuses an allocation beyond it.
-std::optional<double> free_memory() {
-  MEMORYSTATUSEX status{};
-  status.dwLength = sizeof status;
-  if (!GlobalMemoryStatusEx(&status)) return std::nullopt;
-  return static_cast<double>(std::min(status.ullAvailPhys, status.ullAvailPageFile));
-}
-
 namespace {
 
-// Thread times have steps of 15 ms, cycle counts are exact. Returns the seconds of a cycle: the least of a
-// few measurements, because other programs can interrupt one. 0 if cycles are not counted, as with Wine.
-double seconds_of_cycle() {
-  using Clock = std::chrono::steady_clock;
-  double least = 0;
-  for (int i = 0; i < 5; ++i) {
-    ULONG64 first = 0, last = 0;
-    const auto begun = Clock::now();
-    QueryThreadCycleTime(GetCurrentThread(), &first);
-    while (Clock::now() - begun < std::chrono::milliseconds(1)) {
-    }
-    QueryThreadCycleTime(GetCurrentThread(), &last);
-    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-    if (last <= first) return 0;
-    const double cycle = seconds / static_cast<double>(last - first);
-    least = i == 0 ? cycle : std::min(least, cycle);
-  }
-  return least;
+MEMORYSTATUSEX memory_status() {
+  MEMORYSTATUSEX status{};
+  status.dwLength = sizeof status;
+  GlobalMemoryStatusEx(&status);
+  return status;
 }
 
 }  // namespace
 
-double thread_seconds() {
-  static const double cycle = seconds_of_cycle();
-  ULONG64 cycles = 0;
-  if (cycle > 0 && QueryThreadCycleTime(GetCurrentThread(), &cycles))
-    return cycle * static_cast<double>(cycles);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+std::optional<double> total_memory() {
+  return static_cast<double>(memory_status().ullTotalPhys);
+}
+
+// Windows refuses allocations beyond the memory that can be committed.
+std::optional<double> free_memory() {
+  const MEMORYSTATUSEX status = memory_status();
+  return static_cast<double>(std::min(status.ullAvailPhys, status.ullAvailPageFile));
 }
 
 void* allocate_aligned(std::size_t alignment, std::size_t bytes) {
@@ -402,9 +373,9 @@ void Child::ask_to_end() {
 
 std::string Child::errors(std::size_t most) const {
   std::string text(most, '\0');
-  OVERLAPPED from_begin{};
+  OVERLAPPED begin{};
   DWORD got = 0;
-  if (!ReadFile(state_->errors.get(), text.data(), static_cast<DWORD>(most), &got, &from_begin)) got = 0;
+  (void)ReadFile(state_->errors.get(), text.data(), static_cast<DWORD>(most), &got, &begin);
   text.resize(got);
   std::erase(text, '\r');
   return text;

@@ -150,13 +150,12 @@ public:
   void run(std::size_t rounds, base::Progress& progress) {
     const auto all = static_cast<double>(rounds * cases_.size());
     double done = 0;
-    for (std::size_t round = 0; round < rounds; ++round) {
+    for (std::size_t round = 0; round < rounds; ++round)
       for (Case& c : cases_) {
         warm_up(c);
         time_once(c);
         progress.report(++done / all);
       }
-    }
   }
 
   std::vector<FrameTime> times() const {

@@ -43,12 +43,11 @@ std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> rim;
     const auto seen = std::stable_partition(triangles.begin(), triangles.end(),
                                             [&](const auto& t) { return !sees(p, t, p[i]); });
-    for (auto t = seen; t != triangles.end(); ++t) {
+    for (auto t = seen; t != triangles.end(); ++t)
       for (int c = 0; c < 3; ++c) {
         const std::pair edge{(*t)[c], (*t)[(c + 1) % 3]};
         if (!rim.erase({edge.second, edge.first})) rim.insert(edge);
       }
-    }
     triangles.erase(seen, triangles.end());
     for (const auto& [a, b] : rim) triangles.push_back({a, b, i});
   }

@@ -342,14 +342,13 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
   });
   if (reference == modes.end()) return;
   const std::vector<ShapeQuality> theirs = reference->qualities;
-  for (Mode& mode : modes) {
+  for (Mode& mode : modes)
     for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
       ShapeQuality& q = mode.qualities[p];
       q.energy_ratio = ratio(q.energy, theirs[p].energy);
       q.bending_ratio = ratio(q.bending, theirs[p].bending);
       q.torn_ratio = ratio(q.torn, theirs[p].torn);
     }
-  }
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ std::vector<Tick> ticks(const Scale& scale, bool between) {
     return found;
   }
   const double step = std::ceil(length / 6.5);
-  for (double decade = step * std::floor(scale.low / step); decade <= scale.high; decade += step) {
+  for (double decade = step * std::floor(scale.low / step); decade <= scale.high; decade += step)
     for (const double times : {1.0, 2.0, 5.0}) {
       const double value = times * std::pow(10, decade);
       if ((times != 1 && (!between || length > 4)) || std::log10(value) < scale.low ||
@@ -151,7 +151,6 @@ std::vector<Tick> ticks(const Scale& scale, bool between) {
         continue;
       found.push_back({value, times == 1});
     }
-  }
   return found;
 }
 

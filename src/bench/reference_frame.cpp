@@ -68,12 +68,11 @@ Eigen::Matrix3d exp_rodrigues(const Eigen::Matrix3d& y) {
 void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& cage) {
   const std::size_t k = cage.element_count();
   const auto& corners = cage.elements.positions;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i)
     for (std::size_t j = 0; j < k; ++j) {
       const auto& t = cage.elements.triangles[j];
       distances_[i * k + j] = distance_to_triangle(positions[i], corners[t[0]], corners[t[1]], corners[t[2]]);
     }
-  }
   for (std::size_t i = 0; i < positions.size(); ++i) {
     double sum = 0;
     for (std::size_t j = 0; j < k; ++j) {

@@ -177,12 +177,11 @@ void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
   const Matrix& v = solver.eigenvectors();
   const std::array<T, 3> values = {value_at(x[0]), value_at(x[1]), value_at(x[2])};
   Matrix slopes;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const T gap = x[i] - x[j];
       slopes(i, j) = std::abs(gap) > T(1e-6) ? (values[i] - values[j]) / gap : slope_at((x[i] + x[j]) / 2);
     }
-  }
   for (std::size_t k = 0; k < out.size(); ++k) {
     const Matrix in_axes = v.transpose() * sym3::to_eigen(directions[k]) * v;
     out[k] = sym3::from_eigen<T>(v * slopes.cwiseProduct(in_axes) * v.transpose());

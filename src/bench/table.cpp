@@ -26,7 +26,7 @@ std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std
                                         base::Progress& progress) {
   std::vector<std::vector<double>> times(cases.size());
   const auto runs = static_cast<double>((rounds + 1) * cases.size());
-  for (std::size_t round = 0; round <= rounds; ++round) {
+  for (std::size_t round = 0; round <= rounds; ++round)
     for (std::size_t c = 0; c < cases.size(); ++c) {
       const double start = base::thread_seconds();
       for (std::size_t i = 0; i < cases[c].repeats; ++i) cases[c].run(round);
@@ -35,7 +35,6 @@ std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std
       if (round > 0) times[c].push_back(1e9 * seconds / items);
       progress.report(static_cast<double>(round * cases.size() + c + 1) / runs);
     }
-  }
   std::vector<BenchResult> results;
   for (std::size_t c = 0; c < cases.size(); ++c)
     results.push_back({cases[c].name, base::median(std::move(times[c]))});

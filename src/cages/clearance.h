@@ -20,11 +20,10 @@ using Index3 = std::array<std::size_t, 3>;
 /// Calls visit(i, j, k) for all indices from `low` to `high`, including `high`.
 template <class Visit>
 void for_box(const Index3& low, const Index3& high, Visit&& visit) {
-  for (std::size_t k = low[2]; k <= high[2]; ++k) {
+  for (std::size_t k = low[2]; k <= high[2]; ++k)
     for (std::size_t j = low[1]; j <= high[1]; ++j) {
       for (std::size_t i = low[0]; i <= high[0]; ++i) visit(i, j, k);
     }
-  }
 }
 
 struct Grid {

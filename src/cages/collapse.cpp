@@ -235,11 +235,10 @@ private:
   // Updates the edges of the vertex, and the blocked edges of its neighbours.
   void renew(VertexId v) {
     for (auto e = mesh_.cve_iter(v); e.is_valid(); ++e) push(*e);
-    for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) {
+    for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor)
       for (auto e = mesh_.cve_iter(*neighbor); e.is_valid(); ++e) {
         if (blocked_[static_cast<std::size_t>(e->idx())]) push(*e);
       }
-    }
   }
 
   // Returns the first fitting position: the quadric's minimum, a position farther outward, or an edge's end.

@@ -338,7 +338,7 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
     return size > 0 ? (distance / size) * direction : Vec3{0, 0, 0};
   };
   std::vector<std::uint32_t> made;
-  for (const std::uint32_t number : polygons) {
+  for (const std::uint32_t number : polygons)
     for (auto& v : cage.all[number]) {
       const auto [place, is_new] = lifted.try_emplace(v, 0);
       if (is_new) {
@@ -347,7 +347,6 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
       }
       v = place->second;
     }
-  }
   for (const auto& [a, b] : sides) {
     if (!sides.contains({b, a})) cage.all.push_back({a, b, lifted.at(b), lifted.at(a)});
   }

@@ -20,11 +20,10 @@ struct Edge {
 constexpr std::array<Edge, 12> edges = [] {
   std::array<Edge, 12> all{};
   int n = 0;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis)
     for (int corner = 0; corner < 8; ++corner) {
       if ((corner >> axis & 1) == 0) all[static_cast<std::size_t>(n++)] = {corner, axis};
     }
-  }
   return all;
 }();
 
@@ -48,7 +47,7 @@ using Next = std::array<std::int8_t, 12>;  // per edge: the next edge of its loo
 constexpr Next loops_of(unsigned above) {
   Next next{};
   next.fill(-1);
-  for (const auto& face : faces) {
+  for (const auto& face : faces)
     for (int start = 0; start < 4; ++start) {
       const auto is_above = [&](int n) { return (above >> face[static_cast<std::size_t>(n % 4)] & 1U) != 0; };
       if (!is_above(start + 1) || is_above(start)) continue;
@@ -60,7 +59,6 @@ constexpr Next loops_of(unsigned above) {
       };
       next[static_cast<std::size_t>(cut(start))] = static_cast<std::int8_t>(cut(end));
     }
-  }
   return next;
 }
 
@@ -73,15 +71,13 @@ constexpr std::array<Next, 256> all_loops = [] {
 // True if a face of the cell contains both edges.
 constexpr std::array<std::array<bool, 12>, 12> on_one_face = [] {
   std::array<std::array<bool, 12>, 12> all{};
-  for (const auto& face : faces) {
-    for (std::size_t i = 0; i < 4; ++i) {
+  for (const auto& face : faces)
+    for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j) {
         const auto e = static_cast<std::size_t>(edge_between(face[i], face[(i + 1) % 4]));
         const auto f = static_cast<std::size_t>(edge_between(face[j], face[(j + 1) % 4]));
         all[e][f] = true;
       }
-    }
-  }
   return all;
 }();
 

@@ -33,7 +33,7 @@ public:
 private:
   void side(std::size_t axis, std::size_t at) {
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (std::size_t i = 0; i < cells_[u]; ++i) {
+    for (std::size_t i = 0; i < cells_[u]; ++i)
       for (std::size_t j = 0; j < cells_[v]; ++j) {
         Cell corner{};
         corner[axis] = at;
@@ -49,7 +49,6 @@ private:
         add(high ? 0 : 1, high ? 1 : 0);
         surface_.polygon_starts.push_back(static_cast<std::uint32_t>(surface_.corners.size()));
       }
-    }
   }
 
   std::uint32_t vertex(const Cell& corner) {

@@ -54,7 +54,7 @@ public:
   // Changes the offset and the tilt of the plane in small steps while the error decreases.
   Plane fitted(Plane plane) const {
     double best = mean_error(plane, tolerance);
-    for (double step = 0.02; step > 2e-4; step *= 0.5) {
+    for (double step = 0.02; step > 2e-4; step *= 0.5)
       for (bool better = true; better;) {
         better = false;
         for (const Plane& next : neighbors(plane, step)) {
@@ -65,7 +65,6 @@ public:
           better = true;
         }
       }
-    }
     return plane;
   }
 
@@ -88,7 +87,7 @@ using Matrix = std::array<Vec3, 3>;
 
 Matrix eigenvectors(Matrix a) {
   Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (int sweep = 0; sweep < 12; ++sweep) {
+  for (int sweep = 0; sweep < 12; ++sweep)
     for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
       if (std::abs(a[p][q]) < 1e-300) continue;
       const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
@@ -108,7 +107,6 @@ Matrix eigenvectors(Matrix a) {
         v[k][q] = s * u + c * w;
       }
     }
-  }
   return v;
 }
 

@@ -122,12 +122,11 @@ Point WorkingCage::drawn_in(const Star& star, const Point& x, const Shape& shape
   const double far = mesh::norm(away);
   away = far > 0 ? (1 / far) * away : inward;
   const double before = added_volume(star, x);
-  for (double t = 0.5 * longest; t > 0.05 * step(); t *= 0.5) {
+  for (double t = 0.5 * longest; t > 0.05 * step(); t *= 0.5)
     for (const Vec3& along : {inward, away, 0.5 * (inward + away)}) {
       const Point to = x + t * along;
       if (added_volume(star, to) < before && fits(star, to, shape)) return to;
     }
-  }
   return x;
 }
 
@@ -210,14 +209,13 @@ bool WorkingCage::fits(const std::array<mesh::Triangle, 2>& now, const std::arra
 bool WorkingCage::cross(const Candidate& s, const Candidate& t) {
   int shared = 0;
   std::size_t of_s = 0, of_t = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       if (s.vertices[i] != t.vertices[j]) continue;
       ++shared;
       of_s = i;
       of_t = j;
     }
-  }
   if (shared == 0) return mesh::intersect(s.corners, t.corners);
   if (shared > 1) return false;
   return mesh::crosses(s.corners[(of_s + 1) % 3], s.corners[(of_s + 2) % 3], t.corners) ||
@@ -260,11 +258,10 @@ void WorkingCage::take_away(FaceId f) {
 }
 
 bool WorkingCage::crosses(std::span<const Candidate> now, std::span<const FaceId> replaced) {
-  for (std::size_t i = 0; i < now.size(); ++i) {
+  for (std::size_t i = 0; i < now.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if (cross(now[i], now[j])) return true;
     }
-  }
   for (const auto& t : now) {
     ++question_;
     for (const FaceId f : replaced) placed_[static_cast<std::size_t>(f.idx())].seen = question_;

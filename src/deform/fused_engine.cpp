@@ -203,15 +203,13 @@ void FusedEngine::show(std::span<const Vec3> positions) {
 void FusedEngine::fill_table(const pose::Rows& rows) {
   const double scale = 1 / binding_->unit;
   const std::size_t first_length = shape(form_).first_length;
-  for (std::size_t j = 0; j < entries_.size(); j += columns_) {
+  for (std::size_t j = 0; j < entries_.size(); j += columns_)
     for (std::size_t c = 0; c < columns_; ++c)
       entries_[j + c] = c < first_length ? rows.values[j + c] : scale * rows.values[j + c];
-  }
   if (drag_.moving.empty()) choose_mean();
-  for (std::size_t j = 0; j < entries_.size(); j += columns_) {
+  for (std::size_t j = 0; j < entries_.size(); j += columns_)
     for (std::size_t c = 0; c < columns_; ++c)
       table_[j + c] = static_cast<float>(entries_[j + c] - static_cast<double>(mean_[c]));
-  }
 }
 
 void FusedEngine::fill_rest_moments(const pose::Rows& rows) {
@@ -362,10 +360,9 @@ void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   float* const out = drag_.weights.data() + begin * count;
   for (std::size_t m = 0; m < count; m += columns_) {
     const std::size_t at_once = std::min(columns_, count - m);
-    for (std::size_t r = 0; r < run.rows; ++r) {
+    for (std::size_t r = 0; r < run.rows; ++r)
       for (std::size_t c = 0; c < columns_; ++c)
         pivots[r * columns_ + c] = c < at_once ? pivot_weight(r, drag_.moving[m + c]) : 0;
-    }
     run.table = pivots.data();
     tiles_.blend(run, scratch);
     for (std::size_t t = 0; t < tiles; ++t)

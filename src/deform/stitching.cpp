@@ -116,7 +116,7 @@ private:
     const double slack = indistinguishable * cage_.diagonal;
     double least = infinity, nearest_center = infinity;
     std::vector<std::pair<double, std::size_t>> near;  // distances of centres, and triangles
-    for (const bool finds_distance : {true, false}) {
+    for (const bool finds_distance : {true, false})
       for (std::size_t t = 0; t < model_.triangles.size(); ++t) {
         if (thin_[t]) continue;
         const auto& [a, b, c] = model_.triangles[t];
@@ -132,7 +132,6 @@ private:
           nearest_center = std::min(nearest_center, near.back().first);
         }
       }
-    }
     std::vector<std::size_t> nearest;
     for (const auto& [center, t] : near)
       if (center <= nearest_center + slack) nearest.push_back(t);
@@ -143,10 +142,9 @@ private:
     std::vector<Stitching::Pin> pins;
     const double strength = pin_strength * weights::handle_shape(cage_, pose::Elements::face, handle).share;
     const auto triangles = nearest_triangles(center);
-    for (const std::size_t t : triangles) {
+    for (const std::size_t t : triangles)
       for (const auto v : model_.triangles[t])
         pins.push_back({v, handle, strength / static_cast<double>(triangles.size())});
-    }
     const double radius = holding_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
@@ -188,11 +186,10 @@ private:
     std::vector<double> firmness(matrix.size(), 0.0);
     for (const auto& pin : pins_) firmness[pin.vertex] += pin.weight;
     for (const auto& hold : holds_) firmness[hold.vertex] += hold.weight;
-    for (std::size_t v = 0; v < matrix.size(); ++v) {
+    for (std::size_t v = 0; v < matrix.size(); ++v)
       for (auto i = matrix.starts[v]; i < matrix.starts[v + 1]; ++i) {
         if (static_cast<std::size_t>(matrix.rows[i]) == v) matrix.values[i] += firmness[v];
       }
-    }
   }
 
   void fill_triangles(Stitching& s) const {

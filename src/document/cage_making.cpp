@@ -45,14 +45,13 @@ void cancel_making(Document& document, CageMaking& making) {
 
 fs::path cage_beside(const fs::path& model) {
   const std::string stem = model.stem().string();
-  for (const std::string& name : {stem + "_cage", stem + ".cage", stem + "-cage", std::string("cage")}) {
+  for (const std::string& name : {stem + "_cage", stem + ".cage", stem + "-cage", std::string("cage")})
     for (const formats::Format& format : formats::all_formats()) {
       if (!format.keeps_order) continue;
       const fs::path file = model.parent_path() / (name + "." + std::string(format.extension));
       std::error_code ignored;
       if (file != model && fs::is_regular_file(file, ignored)) return file;
     }
-  }
   return {};
 }
 

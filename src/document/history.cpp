@@ -43,13 +43,12 @@ void History::push(std::string label, DocumentState before, EditStep step) {
 }
 
 void History::file_replaced(const std::filesystem::path& file, const std::shared_ptr<const pose::Cage>& by) {
-  for (auto* entries : {&undo_, &redo_, &given_up_}) {
+  for (auto* entries : {&undo_, &redo_, &given_up_})
     for (Entry& entry : *entries) {
       if (entry.state.cage_file.path != file || entry.state.cage == by) continue;
       entry.state.cage_file.made = name_of(entry.state.cage_file) + ", before it was replaced";
       entry.state.cage_file.path.clear();
     }
-  }
 }
 
 std::optional<EditStep> History::last_step() const {

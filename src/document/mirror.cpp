@@ -71,12 +71,11 @@ std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<co
   const std::array<mesh::Vec3, 2> axes{(1 / mesh::norm(to_side)) * to_side,
                                        mesh::cross(normal, (1 / mesh::norm(to_side)) * to_side)};
   std::array<double, 2> low{endless, endless}, high{-endless, -endless};
-  for (const mesh::Point& p : positions) {
+  for (const mesh::Point& p : positions)
     for (std::size_t k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], mesh::dot(axes[k], p));
       high[k] = std::max(high[k], mesh::dot(axes[k], p));
     }
-  }
   for (std::size_t k = 0; k < 2; ++k) {
     const double more = margin * (high[k] - low[k]);
     low[k] -= more;

@@ -150,7 +150,7 @@ public:
   bool lead_to(double frame, std::span<const mesh::Point> pose) {
     const double length = frame - frame_;
     bool near = true;
-    for (std::size_t v = 0; v < pose.size(); ++v) {
+    for (std::size_t v = 0; v < pose.size(); ++v)
       for (std::size_t c = 0; c < 3; ++c) {
         const double change = pose[v][c] - from_[v][c],
                      reach = std::max(reach_, float_noise * std::abs(pose[v][c] - center_[c]));
@@ -158,7 +158,6 @@ public:
         flattest_[v][c] = std::max(flattest_[v][c], (change - reach) / length);
         steepest_[v][c] = std::min(steepest_[v][c], (change + reach) / length);
       }
-    }
     return near;
   }
 

@@ -60,12 +60,11 @@ void keep_at_rest(const pose::Cage& cage, const pose::Pose& pose, const pose::Pr
   for (const mesh::Bounds& box : {mesh::bounds(shape), mesh::bounds(cage.surface.positions)})
     size = std::max({size, mesh::largest_abs(box.low), mesh::largest_abs(box.high)});
   const double rounding = 1e-14 * size;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
+  for (std::size_t v = 0; v < positions.size(); ++v)
     for (std::size_t i = 0; i < 3; ++i) {
       const double rest_place = shape[v][i];
       if (std::abs(positions[v][i] - rest_place) <= rounding) positions[v][i] = rest_place;
     }
-  }
 }
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {

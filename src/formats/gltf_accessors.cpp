@@ -193,13 +193,12 @@ void GltfSharing::count_uses(const GltfJson& document) {
     if (!attributes.is_object()) return;
     for (const auto& [key, value] : attributes.items()) use(value);
   };
-  for (const GltfJson& mesh : list_of(document, "meshes")) {
+  for (const GltfJson& mesh : list_of(document, "meshes"))
     for (const GltfJson& primitive : list_of(mesh, "primitives")) {
       use_all(member_of(primitive, "attributes"));
       use(member_of(primitive, "indices"));
       for (const GltfJson& target : list_of(primitive, "targets")) use_all(target);
     }
-  }
   for (const GltfJson& node : list_of(document, "nodes"))
     use_all(member_of(member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes"));
   for (const GltfJson& animation : list_of(document, "animations"))

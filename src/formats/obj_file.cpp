@@ -190,7 +190,7 @@ std::vector<fs::path> read_materials(const Source& source, const std::vector<std
   std::set<fs::path> files;
   std::size_t count = 0;
   bool all_read = true;
-  for (const std::string& names : libraries) {
+  for (const std::string& names : libraries)
     for (const fs::path& path : library_paths(source.folder, names)) {
       if (files.size() >= most_files || !files.insert(path).second || ++count > most_libraries) continue;
       try {
@@ -203,7 +203,6 @@ std::vector<fs::path> read_materials(const Source& source, const std::vector<std
         if (!attributes.materials.empty()) builder.warn(source.name + ": material library " + error.what());
       }
     }
-  }
   std::size_t missing = 0;
   std::map<fs::path, std::uint32_t> images;
   for (Material& material : attributes.materials) {

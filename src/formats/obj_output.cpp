@@ -161,7 +161,7 @@ private:
   void add_normals() {
     if (!normals_ || added_ == lines_) return;
     const std::string_view line_end = line_end_before(source_.bytes, block_end_);
-    for (; added_ < lines_; ++added_) {
+    for (; added_ < lines_; ++added_)
       for (const mesh::Vec3& normal : normals_->added(added_)) {
         rewriter_.copy_until(block_end_);
         if (!ends_line(block_end_)) out_.text(line_end);
@@ -170,7 +170,6 @@ private:
         if (ends_line(block_end_)) out_.text(line_end);
         ++written_;
       }
-    }
   }
 
   // Returns true if a line end is immediately before this offset. Only the last line can lack a line end.

@@ -58,13 +58,12 @@ bool Sight::sees(const glm::vec3& at) const {
     return true;
   const int column = static_cast<int>(place.x), row = static_cast<int>(place.y);
   float deepest = std::numeric_limits<float>::infinity();
-  for (int y = row - 1; y <= row + 1; ++y) {
+  for (int y = row - 1; y <= row + 1; ++y)
     for (int x = column - 1; x <= column + 1; ++x) {
       if (x < 0 || y < 0 || x >= columns_ || y >= rows_) return true;
       deepest = std::min(deepest, nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
                                            static_cast<std::size_t>(x)]);
     }
-  }
   const float depth = at.z - behind;
   return (!orthographic_ && depth <= 0) || nearness(depth) >= deepest;
 }

@@ -104,12 +104,11 @@ public:
     const auto stays = [&](std::uint32_t v) { return rest_[v] == posed_[v]; };
     if (near.empty() || (stays(vertex) && std::ranges::all_of(near, stays))) return vector;
     Vec3 sum{0, 0, 0};
-    for (std::size_t i = 0; i < near.size(); ++i) {
+    for (std::size_t i = 0; i < near.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const TriangleMap map({vertex, near[i], near[j]}, rest_, posed_);
         if (map.usable()) sum = sum + move(map, vector);
       }
-    }
     if (squared_norm(sum) > 0) return unit(sum);
     const std::uint32_t far = near.back();
     return turned_along(vector, rest_[far] - rest_[vertex], posed_[far] - posed_[vertex]);

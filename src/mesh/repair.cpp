@@ -66,7 +66,7 @@ private:
     bool agree = true;
     part_.assign(1, seed);
     side_[seed] = 0;
-    for (std::size_t i = 0; i < part_.size(); ++i) {
+    for (std::size_t i = 0; i < part_.size(); ++i)
       for (const auto& [next, agrees] : neighbours_[part_[i]]) {
         const std::uint8_t side = agrees ? side_[part_[i]] : 1 - side_[part_[i]];
         if (side_[next] == unseen) {
@@ -75,7 +75,6 @@ private:
         }
         agree &= side_[next] == side;
       }
-    }
     return agree;
   }
 

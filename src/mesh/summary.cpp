@@ -64,12 +64,11 @@ void find_parts(const Surface& surface, Summary& summary) {
   const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
   UnionFind parts(vertices);
   std::vector<bool> used(vertices, false);
-  for (const Triangle& t : surface.triangles) {
+  for (const Triangle& t : surface.triangles)
     for (const std::uint32_t v : t) {
       used[v] = true;
       parts.join(v, t[0]);
     }
-  }
   for (std::uint32_t v = 0; v < vertices; ++v) {
     if (!used[v]) summary.unused_vertices.push_back(v);
     if (used[v] && parts.find(v) == v) ++summary.parts;

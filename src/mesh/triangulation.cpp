@@ -91,12 +91,11 @@ struct Box2 {
 
 Box2 box_of(std::span<const Point2> places) {
   Box2 box{places[0], places[0]};
-  for (const Point2& p : places) {
+  for (const Point2& p : places)
     for (std::size_t k = 0; k < 2; ++k) {
       box.low[k] = std::min(box.low[k], p[k]);
       box.high[k] = std::max(box.high[k], p[k]);
     }
-  }
   return box;
 }
 
@@ -115,12 +114,11 @@ public:
   // True if is_one(i) is true for a point i in one of the cells that overlap the box.
   template <class IsOne>
   bool any(const Box2& box, const IsOne& is_one) const {
-    for (std::size_t y = cell(box.low, 1); y <= cell(box.high, 1); ++y) {
+    for (std::size_t y = cell(box.low, 1); y <= cell(box.high, 1); ++y)
       for (std::size_t x = cell(box.low, 0); x <= cell(box.high, 0); ++x) {
         const auto list = lists_.of(x + static_cast<std::size_t>(side_) * y);
         if (std::ranges::any_of(list, is_one)) return true;
       }
-    }
     return false;
   }
 

@@ -40,14 +40,13 @@ struct Sweep {
     order.assign(1, start);
     distance[start] = 0;
     parent[start] = start;
-    for (std::size_t n = 0; n < order.size(); ++n) {
+    for (std::size_t n = 0; n < order.size(); ++n)
       for (const auto j : graph.of(order[n])) {
         if (distance[j] != unseen) continue;
         distance[j] = distance[order[n]] + 1;
         parent[j] = order[n];
         order.push_back(j);
       }
-    }
   }
 
   std::uint32_t eccentricity() const { return distance[order.back()]; }

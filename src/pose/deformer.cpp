@@ -65,12 +65,11 @@ bool fits(const PartialChoice& choice, const Deformer& deformer) {
 
 std::vector<Deformer> valid_deformers() {
   std::vector<Deformer> all;
-  for (const Weights weights : base::all_values<Weights>()) {
+  for (const Weights weights : base::all_values<Weights>())
     for (const Blend blend : base::all_values<Blend>()) {
       const Deformer deformer{{elements_of(weights, blend), weights}, blend};
       if (!conflict(deformer)) all.push_back(deformer);
     }
-  }
   return all;
 }
 

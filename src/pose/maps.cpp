@@ -42,12 +42,11 @@ sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& 
       squared_norm(change_u) + squared_norm(change_v) < 0.25 * (squared_norm(rest.u) + squared_norm(rest.v));
   const Vec3 &a = near ? change_u : u, &b = near ? change_v : v, &c = near ? change_n : n;
   sym3::Mat3<double> m{};
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       m[3 * i + j] = (near && i == j ? 1.0 : 0.0) +
                      (a[i] * rest.dual_u[j] + b[i] * rest.dual_v[j] + c[i] * rest.dual_n[j]);
     }
-  }
   return m;
 }
 

@@ -58,10 +58,9 @@ mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
     const std::size_t first = surface.polygon_starts[p], n = surface.polygon_starts[p + 1] - first;
     const std::size_t reach = n > most_corners ? 1 : n / 2;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = 1; k <= reach; ++k)
         add_pair(pairs, welded.corners[first + i], welded.corners[first + (i + k) % n]);
-    }
   }
   for (std::size_t c = 0; c < surface.corners.size(); ++c)
     add_pair(pairs, surface.corners[c], welded.corners[c]);
@@ -85,13 +84,12 @@ std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, st
     do {
       ring = end;
       end = vertices.size();
-      for (std::size_t i = ring; i < end; ++i) {
+      for (std::size_t i = ring; i < end; ++i)
         for (const auto n : around.of(vertices[i])) {
           if (std::exchange(seen[n], center) == center) continue;
           spread.add(weight(from_center(n)), from_center(n));
           vertices.push_back(n);
         }
-      }
     } while (vertices.size() > end && spread.ratio() < least_spread && vertices.size() < most_vertices);
     VertexPatches::Patch& patch = patches[center];
     if (spread.ratio() < flat_spread) {

@@ -35,7 +35,7 @@ Image halved(const Image& image) {
   half.rgba.resize(4 * static_cast<std::size_t>(half.width) * half.height);
   const auto& light = light_of_bytes();
   std::uint8_t* to = half.rgba.data();
-  for (int y = 0; y < half.height; ++y) {
+  for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x, to += 4) {
       const int right = std::min(2 * x + 1, image.width - 1), below = std::min(2 * y + 1, image.height - 1);
       const Rgba8 four[] = {image.pixel(2 * x, 2 * y), image.pixel(right, 2 * y), image.pixel(2 * x, below),
@@ -45,7 +45,6 @@ Image halved(const Image& image) {
             0.25F * (light[four[0][k]] + light[four[1][k]] + light[four[2][k]] + light[four[3][k]]));
       to[3] = static_cast<std::uint8_t>((four[0][3] + four[1][3] + four[2][3] + four[3][3] + 2) / 4);
     }
-  }
   return half;
 }
 

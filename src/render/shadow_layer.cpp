@@ -107,12 +107,11 @@ void find_squares(GroundShadow& shadow) {
     }
     return false;
   };
-  for (int row = 0; row < shadow.height / side; ++row) {
+  for (int row = 0; row < shadow.height / side; ++row)
     for (int column = 0; column < shadow.width / side; ++column) {
       if (is_dark(column, row))
         shadow.squares.push_back({static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)});
     }
-  }
 }
 
 }  // namespace

@@ -51,14 +51,13 @@ void require_texels(const Gl& gl, const char* what, std::size_t texels) {
 template <std::size_t n>
 void require_indices(const char* what, std::span<const std::array<std::uint32_t, n>> elements,
                      std::size_t vertex_count) {
-  for (std::size_t i = 0; i < elements.size(); ++i) {
+  for (std::size_t i = 0; i < elements.size(); ++i)
     for (const std::uint32_t vertex : elements[i]) {
       if (vertex < vertex_count) continue;
       throw base::Error(
           std::string(what) + ": element " + std::to_string(i),
           "refers to vertex " + std::to_string(vertex) + ", the mesh has " + std::to_string(vertex_count));
     }
-  }
 }
 
 template void require_indices<2>(const char*, std::span<const std::array<std::uint32_t, 2>>, std::size_t);

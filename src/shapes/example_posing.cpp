@@ -258,13 +258,12 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
   std::vector<double> forces(n + pinned_parts_.size()), reach(positions_.size());
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (const std::size_t k : moved) forces[i] += forces_[i * n + k];
-  for (std::size_t i = 0; i < pinned_parts_.size(); ++i) {
+  for (std::size_t i = 0; i < pinned_parts_.size(); ++i)
     for (const auto v : space_.logs().parts().vertices.of(pinned_parts_[i])) {
       reach[v] = forces[n + i];
       for (std::size_t k = 0; k < n; ++k)
         if (part_of_pin_[k] == pinned_parts_[i]) reach[v] += columns_[k][v] * forces[k];
     }
-  }
   if (!space_.coarse()) return reach;
   std::vector<double> of_model(space_.rest().size());
   for (std::uint32_t v = 0; v < of_model.size(); ++v)

@@ -106,7 +106,7 @@ static void pull(const Plane* m, const Plane* sides, const Plane* weights, Plane
 }
 
 static void spread(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m) {
-  for (std::size_t i = 0; i < plane_size; i += width) {
+  for (std::size_t i = 0; i < plane_size; i += width)
     for (std::size_t row = 0; row < 3; ++row) {
       V p[3];
       for (std::size_t k = 0; k < 3; ++k) p[k] = hn::Mul(at(weights[k], i), at(posed[3 * k + row], i));
@@ -114,7 +114,6 @@ static void spread(const Plane* posed, const Plane* sides, const Plane* weights,
         put(sum(p[0], at(sides[j], i), p[1], at(sides[3 + j], i), p[2], at(sides[6 + j], i)), m[3 * row + j],
             i);
     }
-  }
 }
 
 using Vector = lanes::Three<V>;
@@ -215,7 +214,7 @@ static HWY_INLINE void add_products_of(const double* m, const double* columns, d
     for (std::size_t n = 0; n < N; ++n)
       for (std::size_t row = 0; row < 3; ++row)
         sum[n][row] = hn::Load(Tag(), sums + (3 * n + row) * group_size + l);
-    for (std::size_t i = l; i < plane_size; i += group_size) {
+    for (std::size_t i = l; i < plane_size; i += group_size)
       for (std::size_t c = 0; c < 2; ++c) {
         const double* of = m + 3 * c * plane_stride + i;
         const V x = hn::Load(Tag(), of), y = hn::Load(Tag(), of + plane_stride),
@@ -227,7 +226,6 @@ static HWY_INLINE void add_products_of(const double* m, const double* columns, d
           sum[n][2] = hn::MulAdd(z, q, sum[n][2]);
         }
       }
-    }
     for (std::size_t n = 0; n < N; ++n)
       for (std::size_t row = 0; row < 3; ++row)
         hn::Store(sum[n][row], Tag(), sums + (3 * n + row) * group_size + l);

@@ -154,11 +154,10 @@ double off_diagonal(const Matrix4& a) {
 
 std::array<double, n> top_vector(Matrix4 a) {
   Matrix4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-  for (int sweep = 0; sweep < most_sweeps && off_diagonal(a) > 1e-20; ++sweep) {
+  for (int sweep = 0; sweep < most_sweeps && off_diagonal(a) > 1e-20; ++sweep)
     for (int p = 0; p < n; ++p) {
       for (int q = p + 1; q < n; ++q) rotate(a, v, p, q);
     }
-  }
   int top = 0;
   for (int k = 1; k < n; ++k) {
     if (a[k][k] > a[top][top]) top = k;

@@ -159,13 +159,12 @@ std::array<std::array<double, N>, 3> solved(Mat3<double> a, std::array<std::arra
     }
   }
   std::array<std::array<double, N>, 3> x;
-  for (std::size_t k = 3; k-- > 0;) {
+  for (std::size_t k = 3; k-- > 0;)
     for (std::size_t c = 0; c < N; ++c) {
       double sum = b[row[k]][c];
       for (std::size_t j = k + 1; j < 3; ++j) sum -= a[3 * row[k] + j] * x[j][c];
       x[k][c] = sum / a[3 * row[k] + k];
     }
-  }
   return x;
 }
 

@@ -55,13 +55,12 @@ std::size_t CoarseModel::adopt_clusters() {
   std::size_t count = 0;
   if (others.empty() || others.size() == p.size()) return count;
   const mesh::PointTree tree(p, std::move(others));
-  for (Block& block : blocks_) {
+  for (Block& block : blocks_)
     for (Term& term : block.terms) {
       if (has_area[term.cluster]) continue;
       term.cluster = tree.nearest(p[term.cluster]);
       ++count;
     }
-  }
   return count;
 }
 

@@ -48,11 +48,10 @@ Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance
   const std::size_t rank = pivots.size(), slots = leaf.tiles * lanes;
   Factors result{pivots, {}};
   result.factors.resize(slots * rank);
-  for (std::size_t t = 0; t < rank; ++t) {
+  for (std::size_t t = 0; t < rank; ++t)
     for (std::size_t s = 0; s < slots; ++s) {
       result.factors[s / lanes * lanes * rank + t * lanes + s % lanes] = coefficients[t][s];
     }
-  }
   std::vector<float> lower(rank * rank);
   for (std::size_t s = 0; s < rank; ++s) {
     for (std::size_t t = 0; t < rank; ++t) lower[s * rank + t] = coefficients[t][pivots[s]];

@@ -182,13 +182,12 @@ private:
     }
     const bool closed = are_closed();
     const std::size_t length = closed ? longest - 1 : longest | 1;
-    for (std::size_t i = 0; i < length; ++i) {
+    for (std::size_t i = 0; i < length; ++i)
       for (std::size_t k = 0; k < ring_group; ++k) {
         const auto self = static_cast<std::uint32_t>(first + k);
         const std::uint32_t index = local(i < around_slot_[k].size() ? around_slot_[k][i] : self, begin, end);
         rings_.neighbours.push_back(static_cast<std::uint16_t>(4 / index_floats * index));
       }
-    }
     rings_.lengths.push_back(static_cast<std::uint16_t>(length + (closed ? closed_ring : 0)));
   }
 

@@ -127,7 +127,7 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
     for (std::size_t i = begin; i < end; ++i) found[i] = neighbours.of(used[i]);
   });
   std::vector<Coupling> couplings;
-  for (std::size_t i = 0; i < used.size(); ++i) {
+  for (std::size_t i = 0; i < used.size(); ++i)
     for (const auto& [triangle, shares, square] : found[i]) {
       const auto& [a, b, c] = triangle;
       const double beside = shares[0] * masses[a] + shares[1] * masses[b] + shares[2] * masses[c];
@@ -135,7 +135,6 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
       const double strength = filled * (paths.part(a) == paths.part(used[i]) ? of_fold : of_parts);
       couplings.push_back({used[i], triangle, shares, std::min(strength, most_strength)});
     }
-  }
   return couplings;
 }
 
@@ -187,11 +186,10 @@ std::vector<Coupling> PartedSurface::joined(std::vector<Coupling> couplings) con
 
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings) {
   std::vector<Coupling> result;
-  for (const auto& [vertex, t, shares, strength] : couplings) {
+  for (const auto& [vertex, t, shares, strength] : couplings)
     for (std::size_t k = 0; k < 3; ++k) {
       if (shares[k] > 0) result.push_back({vertex, {t[k], t[k], t[k]}, {1, 0, 0}, shares[k] * strength});
     }
-  }
   return result;
 }
 
@@ -215,11 +213,10 @@ sparse::SparseMatrix with_couplings(const sparse::SparseMatrix& stiffness,
   for (const auto& [vertex, t, shares, strength] : couplings) {
     const std::array difference = {std::pair(vertex, 1.0), std::pair(t[0], -shares[0]),
                                    std::pair(t[1], -shares[1]), std::pair(t[2], -shares[2])};
-    for (const auto& [i, by_i] : difference) {
+    for (const auto& [i, by_i] : difference)
       for (const auto& [j, by_j] : difference) {
         if (by_i != 0 && by_j != 0) entries.push_back({i, j, strength * by_i * by_j});
       }
-    }
   }
   return sparse_matrix(stiffness.size(), entries);
 }

@@ -43,12 +43,11 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 // cancel.
 std::vector<std::uint64_t> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
   std::vector<std::uint64_t> sums(vertices, 0);
-  for (const auto& [a, b, c] : triangles) {
+  for (const auto& [a, b, c] : triangles)
     for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}}) {
       sums[i] += mixed(j + 1);
       sums[j] -= mixed(i + 1);
     }
-  }
   return sums;
 }
 
@@ -207,7 +206,7 @@ private:
     const auto is_small = [&](std::uint32_t set) {
       return mass[set] * (1u << 2 * level_[set]) < least_mass * cell_ * cell_;
     };
-    for (const auto& t : triangles_) {
+    for (const auto& t : triangles_)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto a = sets_.find(t[k]), b = sets_.find(t[(k + 1) % 3]);
         if (a == b) continue;
@@ -215,7 +214,6 @@ private:
           if (is_small(set) && (best[set] == none || mass[other] > mass[best[set]])) best[set] = other;
         }
       }
-    }
     for (std::uint32_t set = 0; set < best.size(); ++set) {
       if (best[set] != none && sets_.join(set, best[set])) --count;
     }
@@ -370,12 +368,10 @@ void SurfaceProxy::find_neighbours() {
     found = {c};
     seen[c] = c;
     std::size_t at = 0;
-    for (int step = 0; step < rings; ++step) {
-      for (const std::size_t end = found.size(); at < end; ++at) {
+    for (int step = 0; step < rings; ++step)
+      for (const std::size_t end = found.size(); at < end; ++at)
         for (const auto other : ring[found[at]])
           if (std::exchange(seen[other], c) != c) found.push_back(other);
-      }
-    }
     for (const auto other : found)
       if (norm(p[other] - p[c]) < radii_[other] + extents[c]) nearby_.push_back(other);
     starts_.push_back(static_cast<std::uint32_t>(nearby_.size()));
@@ -531,10 +527,9 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const pose::Cage& cage,
   const std::size_t n = proxy_.surface().positions.size();
   weights_.resize(n * handles_);
   const auto store = [&](const SurfaceSystem::Solved& solved) {
-    for (std::size_t c = 0; c < n; ++c) {
+    for (std::size_t c = 0; c < n; ++c)
       for (std::size_t j = 0; j < solved.count; ++j)
         weights_[c * handles_ + solved.first + j] = static_cast<float>(std::max(solved.of(c)[j], 0.0));
-    }
   };
   system.solve(store, pool, progress);
   for (std::size_t c = 0; c < n; ++c) {

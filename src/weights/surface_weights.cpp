@@ -150,15 +150,13 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
       });
     }
   });
-  for (const auto& of_body : found) {
-    for (std::size_t h = 0; h < of_body.size(); ++h) {
+  for (const auto& of_body : found)
+    for (std::size_t h = 0; h < of_body.size(); ++h)
       for (const auto& one : of_body[h]) {
         if (std::ranges::count(owned.of_handle[h], one.vertex, &OwnedVertices::Owned::vertex)) continue;
         owned.of_handle[h].push_back(one);
         owned.owners[one.vertex] += one.part;
       }
-    }
-  }
 }
 
 SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const pose::Cage& cage,

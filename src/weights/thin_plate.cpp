@@ -151,10 +151,9 @@ std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base
     const auto given = solver_.part_with(springs.subspan(begin, end - begin));
     const auto wanted = solver_.part_with(springs.subspan(begin));
     bend(block, given, &wanted);
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end; ++i)
       for (std::size_t j = begin; j < count; ++j)
         stiffness[i * count + j] = block[solver_.row_of(springs_[j]) + i - begin];
-    }
   });
   return stiffness;
 }
@@ -191,23 +190,21 @@ void ThinPlate::solve(std::size_t begin, std::size_t end, std::span<double> bloc
     return solver_.solve(block, sparse::sparse_kernel(sym3::kernel()));
   }
   std::vector<Columns> at_ground(parts_.grounds.size(), Columns{});
-  for (std::size_t l = begin; l < end; ++l) {
+  for (std::size_t l = begin; l < end; ++l)
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       const double force = forces_[l * springs_.size() + i];
       block[solver_.row_of(springs_[i]) + l - begin] = force;
       at_ground[parts_.of_vertex[springs_[i]]][l - begin] -= force;
     }
-  }
   bend(block, with_springs_);
   for (std::size_t part = 0; part < at_ground.size(); ++part) {
     for (double& force : at_ground[part]) force /= -strengths_[parts_.grounds[part]];
   }
-  for (std::size_t l = begin; l < end; ++l) {
+  for (std::size_t l = begin; l < end; ++l)
     for (const auto& [vertex, value] : loads_[l]) {
       const auto part = parts_.of_vertex[vertex];
       if (parts_.grounds[part] == vertex) at_ground[part][l - begin] += value;
     }
-  }
   for_rows(block, [&](std::uint32_t v, double* w) {
     const Columns b = at_ground[parts_.of_vertex[v]];
     for (std::size_t c = 0; c < sparse::solved_columns; ++c) w[c] += b[c];

@@ -378,12 +378,11 @@ private:
     LeafList list{handles_in(leaf, w.rows), {}};
     const std::size_t count = list.handles.size();
     list.rows.resize(slots(leaf) * count);
-    for (std::size_t t = 0; t < slots(leaf) / lanes; ++t) {
+    for (std::size_t t = 0; t < slots(leaf) / lanes; ++t)
       for (std::size_t r = 0; r < count; ++r) {
         std::copy_n(w.rows.data() + (t * b_.handles + list.handles[r]) * lanes, lanes,
                     list.rows.data() + (t * count + r) * lanes);
       }
-    }
     return list;
   }
 

@@ -155,13 +155,12 @@ public:
 
   std::vector<PictureShape> rows() const {
     std::vector<PictureShape> rows;
-    for (int y = 0; y < height_; ++y) {
+    for (int y = 0; y < height_; ++y)
       for (int x = 0, end = 0; x < width_; x = end) {
         const float tone = tones_[index(x, y)];
         while (end < width_ && tones_[index(end, y)] == tone) ++end;
         if (tone > 0) rows.push_back(row(x, end, y, tone));
       }
-    }
     return rows;
   }
 

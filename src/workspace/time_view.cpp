@@ -25,10 +25,9 @@ FrameWindow zoomed(const FrameWindow& seen, double share, double factor) {
 
 int ruler_step(const FrameWindow& seen, double lines) {
   const double wish = seen.length() / std::max(1.0, lines);
-  for (int power = 1; power <= 10'000'000; power *= 10) {
+  for (int power = 1; power <= 10'000'000; power *= 10)
     for (const int factor : {1, 2, 5})
       if (factor * power >= wish) return factor * power;
-  }
   return 10'000'000;
 }
 

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The targets are 80,800 lines of src and 42,000 of tests.
-constexpr std::size_t most_lines_of_src = 83'750, most_lines_of_tests = 43'300;
+constexpr std::size_t most_lines_of_src = 84'270, most_lines_of_tests = 43'610;
 constexpr std::size_t most_lines_of_a_room = 10'000, most_files_of_a_room = 45, most_lines_of_a_file = 600;
 constexpr std::size_t most_words_of_readme = 900, most_words_of_manual_and_rooms = 16'150;
 
