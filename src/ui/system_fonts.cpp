@@ -86,8 +86,7 @@ bool is_readable(const Fontconfig& fc, FcPattern* font) {
   return name == "TrueType" || name == "CFF";
 }
 
-std::optional<SystemFont> font_with(const Fontconfig& fc, char32_t character,
-                                    const std::set<char32_t>& all) {
+std::optional<SystemFont> font_with(const Fontconfig& fc, char32_t character, const std::set<char32_t>& all) {
   const FontSet fonts = candidates(fc, character);
   for (int i = 0; fonts && i < fonts->nfont; ++i) {
     FcPattern* font = fonts->fonts[i];
@@ -126,10 +125,35 @@ std::vector<SystemFont> fonts_with(std::set<char32_t> characters) {
 
 #else
 
+#include "base/os.h"
+
 namespace viete::ui {
 
-std::vector<SystemFont> fonts_with(std::set<char32_t>) {
-  return {};
+namespace {
+
+// Fonts of Windows, and the characters that they have.
+struct CharacterRange {
+  char32_t first, last;
+  const char* file;
+};
+constexpr CharacterRange windows_fonts[] = {
+    {0x0100, 0x07ff, "segoeui.ttf"}, {0x0900, 0x0dff, "Nirmala.ttf"},  {0x0e00, 0x0e7f, "leelawui.ttf"},
+    {0x1100, 0x11ff, "malgun.ttf"},  {0x3040, 0x30ff, "msgothic.ttc"}, {0x3400, 0x9fff, "msyh.ttc"},
+    {0xac00, 0xd7a3, "malgun.ttf"},  {0xff00, 0xffef, "msgothic.ttc"}};
+
+}  // namespace
+
+std::vector<SystemFont> fonts_with(std::set<char32_t> characters) {
+  const std::filesystem::path folder = std::filesystem::path(base::os::variable("WINDIR")) / "Fonts";
+  std::vector<SystemFont> fonts;
+  for (const CharacterRange& range : windows_fonts) {
+    SystemFont font{folder / range.file, 0, {}};
+    for (const char32_t c : characters)
+      if (c >= range.first && c <= range.last) font.characters.insert(c);
+    std::error_code ignored;
+    if (!font.characters.empty() && std::filesystem::exists(font.file, ignored)) fonts.push_back(font);
+  }
+  return fonts;
 }
 
 }  // namespace viete::ui

@@ -96,5 +96,8 @@ drag 620 400 60 40
 until_true kept
 xdotool key ctrl+s sleep 2 key Return
 until_true test -s dragon.viete
-xdotool key ctrl+z sleep 1 key ctrl+q sleep 2
-wineserver -k
+xdotool key ctrl+z sleep 3
+wineserver -k  # kills the program
+kept || wrong "edits of a killed program are lost"
+window dragon.viete
+kept || wrong "a second start removes the edits of a killed program"
