@@ -17,7 +17,7 @@ class NumberedName;
 }
 
 namespace viete::document {
-struct Document;
+class Document;
 }
 
 namespace viete::files {
