@@ -23,6 +23,7 @@
 
 #include "base/error.h"
 #include "base/os.h"
+#include "base/text.h"
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -87,13 +88,16 @@ void open_page(const fs::path& page) {
   const auto run = [&](const std::vector<std::string>& words) {
     Child child(words, {});
     while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    if (!child.succeeded()) throw StartFailure{child.errors(600)};
+    std::string said = child.errors(600);
+    said.erase(said.find_last_not_of("\r\n") + 1);
+    if (!child.succeeded()) throw StartFailure{std::move(said)};
   };
   try {
     run({"xdg-open", "--version"});
     run({"setsid", "--fork", "xdg-open", page.string()});
   } catch (const StartFailure& failure) {
-    throw Error("xdg-open", failure.missing ? "this program is not installed" : failure.reason,
+    const std::string said = failure.reason.empty() ? "the program ended unexpectedly" : failure.reason;
+    throw Error("xdg-open", failure.missing ? "this program is not installed" : printable(said),
                 "open " + page.string() + " in a browser");
   }
 }
@@ -423,7 +427,8 @@ EndRequests::~EndRequests() {
 
 void EndRequests::end_process() {
   state_->restore();
-  std::raise(SIGINT);
+  std::raise(SIGINT);  // ends the process, unless the signal is ignored
+  if (clean_up_at_end) clean_up_at_end();
   std::_Exit(128 + SIGINT);
 }
 

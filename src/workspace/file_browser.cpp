@@ -187,7 +187,7 @@ bool filters_by_path(const FileBrowser& browser) {
 fs::path typed_path(const FileBrowser& browser) {
   const fs::path home = base::os::home_folder();
   if (!home.empty() && (browser.path == "~" || browser.path.starts_with("~/")))
-    return (home / browser.path.substr(std::min<std::size_t>(2, browser.path.size()))).lexically_normal();
+    return home.string() + browser.path.substr(1);
   return browser.folder / browser.path;
 }
 
