@@ -124,6 +124,7 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   opened.format = std::move(read.format);
   opened.warnings = std::move(read.warnings);
   opened.attributes = std::move(read.attributes);
+  opened.splats = std::move(read.splats);
   opened.original = std::move(read.original);
   put_surface(opened, std::move(read.surface));
   return opened;

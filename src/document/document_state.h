@@ -14,6 +14,7 @@
 #include "document/timeline.h"
 #include "formats/attributes.h"
 #include "formats/original.h"
+#include "mesh/splats.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "pose/cage.h"
@@ -84,6 +85,7 @@ struct OpenedSurface {
   std::string format;
   std::shared_ptr<const mesh::Surface> surface;
   std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has no attributes
+  std::shared_ptr<const mesh::Splats> splats;             ///< null if the file is not a capture
   std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written again unchanged
   mesh::Summary summary;
   mesh::Bounds bounds;  ///< the bounding box of the vertices that polygons use

@@ -14,6 +14,7 @@
 #include "formats/attributes.h"
 #include "formats/source.h"
 #include "formats/text_writer.h"
+#include "mesh/splats.h"
 #include "mesh/surface.h"
 
 namespace viete::formats {
@@ -132,6 +133,7 @@ struct ReadResult {
   std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...
   std::vector<std::string> warnings;  ///< problems that were ignored and their places, one line each
   std::shared_ptr<const Attributes> attributes;  ///< null if the file has no attributes
+  std::shared_ptr<const mesh::Splats> splats;    ///< null if the file is not a capture
   std::shared_ptr<const Original> original;      ///< null if the file cannot be rewritten
   std::vector<std::string> comments;             ///< without comment marks; at most 64, each up to 200 bytes
 };

@@ -16,6 +16,7 @@
 #include "base/progress.h"
 #include "formats/attributes.h"
 #include "formats/byte_order.h"
+#include "mesh/splats.h"
 #include "mesh/surface.h"
 
 namespace viete::formats {
@@ -37,6 +38,7 @@ struct Content {
   std::span<const mesh::Point> positions;  ///< these positions are written, not surface.positions
   const std::vector<std::string>& comments;
   const Attributes* attributes = nullptr;  ///< attributes of the surface; may be null
+  const mesh::Splats* splats = nullptr;    ///< the posed splats of a capture; null for other models
 
   /// Returns *attributes, or empty attributes for null.
   const Attributes& given() const {
