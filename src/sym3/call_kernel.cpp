@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "sym3/batch.h"
+#include "sym3/decomposition.h"
 #include "sym3/derivative.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/log.h"
@@ -46,6 +47,9 @@ constexpr bool is_contiguous(std::size_t numbers) {
 static_assert(is_contiguous<Sym3<double>, double>(6) && is_contiguous<Sym3<float>, float>(6));
 static_assert(is_contiguous<Tangent<double>, double>(36) && is_contiguous<Tangent<float>, float>(36));
 static_assert(is_contiguous<Polar<double>, double>(15) && is_contiguous<Polar<float>, float>(15));
+static_assert(is_contiguous<Eigensystem<double>, double>(12) && is_contiguous<Eigensystem<float>, float>(12));
+static_assert(is_contiguous<SingularSystem<double>, double>(21) &&
+              is_contiguous<SingularSystem<float>, float>(21));
 
 template <class T>
 Sym3<T> one_derivative(Of f, double p, const Sym3<T>& s, const Sym3<T>& direction) {
@@ -110,24 +114,48 @@ Sym3<T> pow(const Sym3<T>& s, double p) {
 }
 
 template <class T>
+Eigensystem<T> eigh(const Sym3<T>& s) {
+  return call_one<Eigensystem<T>>(&KernelFunctions<T>::eigh, &s.xx);
+}
+
+template <class T>
+SingularSystem<T> svd(const Mat3<T>& m) {
+  return call_one<SingularSystem<T>>(&KernelFunctions<T>::svd, m.data());
+}
+
+template <class T>
 Polar<T> polar(const Mat3<T>& m) {
   return call_one<Polar<T>>(&KernelFunctions<T>::polar, m.data());
 }
 
-#define VIETE_FOR(T)                                                                               \
-  template Sym3<T> pow(const Sym3<T>&, double);                                                    \
-  void pow(const SymView<const T>& in, double p, const SymView<T>& out, std::size_t count,         \
-           const Batch& batch) {                                                                   \
-    call_many(&KernelFunctions<T>::pow, in, out, count, batch, p);                                 \
-  }                                                                                                \
-  template Polar<T> polar(const Mat3<T>&);                                                         \
-  void polar(const MatView<const T>& in, const MatView<T>& rotations, std::size_t count,           \
-             const Batch& batch) {                                                                 \
-    call_many(&KernelFunctions<T>::rotation_of, in, rotations, count, batch);                      \
-  }                                                                                                \
-  void polar(const MatView<const T>& in, const MatView<T>& rotations, const SymView<T>& stretches, \
-             std::size_t count, const Batch& batch) {                                              \
-    call_many(&KernelFunctions<T>::polar, in, rotations, count, batch, stretches);                 \
+#define VIETE_FOR(T)                                                                                       \
+  template Sym3<T> pow(const Sym3<T>&, double);                                                            \
+  void pow(const SymView<const T>& in, double p, const SymView<T>& out, std::size_t count,                 \
+           const Batch& batch) {                                                                           \
+    call_many(&KernelFunctions<T>::pow, in, out, count, batch, p);                                         \
+  }                                                                                                        \
+  template Eigensystem<T> eigh(const Sym3<T>&);                                                            \
+  void eigh(const SymView<const T>& in, const VecView<T>& values, const MatView<T>& vectors,               \
+            std::size_t count, const Batch& batch) {                                                       \
+    const auto many = functions<T>(kernel_of(batch)).eigh->many;                                           \
+    const auto call = [&](const Range& range) { many(in, values, vectors, range); };                       \
+    run_batch(task_of(call), count, 18 * sizeof(T) * count, false, batch);                                 \
+  }                                                                                                        \
+  template SingularSystem<T> svd(const Mat3<T>&);                                                          \
+  void svd(const MatView<const T>& in, const MatView<T>& u, const VecView<T>& values, const MatView<T>& v, \
+           std::size_t count, const Batch& batch) {                                                        \
+    const auto many = functions<T>(kernel_of(batch)).svd->many;                                            \
+    const auto call = [&](const Range& range) { many(in, u, values, v, range); };                          \
+    run_batch(task_of(call), count, 30 * sizeof(T) * count, false, batch);                                 \
+  }                                                                                                        \
+  template Polar<T> polar(const Mat3<T>&);                                                                 \
+  void polar(const MatView<const T>& in, const MatView<T>& rotations, std::size_t count,                   \
+             const Batch& batch) {                                                                         \
+    call_many(&KernelFunctions<T>::rotation_of, in, rotations, count, batch);                              \
+  }                                                                                                        \
+  void polar(const MatView<const T>& in, const MatView<T>& rotations, const SymView<T>& stretches,         \
+             std::size_t count, const Batch& batch) {                                                      \
+    call_many(&KernelFunctions<T>::polar, in, rotations, count, batch, stretches);                         \
   }
 VIETE_FOR(float)
 VIETE_FOR(double)

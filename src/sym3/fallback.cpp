@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sym3/jacobi.h"
 #include "sym3/small_matrices.h"
@@ -302,14 +303,123 @@ Sym3<double> sqrt_in_double(const Sym3<double>& s) {
   return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, sqrt, s) : Sym3<double>{};
 }
 
-std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  if (!is_finite(s)) return {nan, nan, nan};
+/// The columns of a matrix.
+using Columns3 = std::array<Vec3<double>, 3>;
+
+Vec3<double> with_positive_largest(const Vec3<double>& u) {
+  return times(*std::ranges::max_element(u, {}, [](double x) { return std::fabs(x); }) < 0 ? -1 : 1, u);
+}
+
+std::array<double, 12> eigensystem_in_double(const Sym3<double>& s) {
+  std::array<double, 12> system;
+  system.fill(std::numeric_limits<double>::quiet_NaN());
+  if (!is_finite(s)) return system;
   const double scale = comfortable_scale(s);
-  auto values = eigen_by_jacobi<double>(times(s, scale)).values;
-  for (double& x : values) x /= scale;
-  std::sort(values.begin(), values.end());
-  return values;
+  const auto [values, vectors] = eigen_by_jacobi<double>(times(s, scale));
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
+  Columns3 columns;
+  for (std::size_t k = 0; k < 3; ++k) {
+    system[k] = values[order[k]] / scale;
+    for (std::size_t i = 0; i < 3; ++i) columns[k][i] = vectors[i][order[k]];
+  }
+  for (const std::size_t k : {1, 2}) columns[k] = with_positive_largest(columns[k]);
+  columns[0] = cross(columns[1], columns[2]);
+  for (std::size_t i = 0; i < 9; ++i) system[3 + i] = columns[i % 3][i / 3];
+  return system;
+}
+
+double length(const Vec3<double>& u) {
+  return std::hypot(u[0], u[1], u[2]);
+}
+
+/// Returns u / |u|, also if 1 / |u| would overflow; 0 for 0.
+Vec3<double> unit(const Vec3<double>& u) {
+  const double size = length(u);
+  return size > 0 ? Vec3<double>{u[0] / size, u[1] / size, u[2] / size} : u;
+}
+
+/// Makes two columns of W orthogonal, and rotates V equally. Returns false if the columns are orthogonal.
+/// Uses only ratios of lengths, so that squares of short columns do not underflow.
+bool make_orthogonal(Vec3<double>& wp, Vec3<double>& wq, Vec3<double>& vp, Vec3<double>& vq) {
+  const double p = length(wp), q = length(wq);
+  if (p == 0 || q == 0) return false;
+  const double cosine = dot(unit(wp), unit(wq));
+  if (!(std::fabs(cosine) > 0x1p-52)) return false;
+  const double zeta = (q / p - p / q) / (2 * cosine), size = std::fabs(zeta);
+  const double t = std::copysign(size > 1e8 ? 0.5 / size : 1 / (size + std::sqrt(1 + size * size)), zeta);
+  const double c = 1 / std::sqrt(1 + t * t), s = c * t;
+  const auto turn = [&](Vec3<double>& a, Vec3<double>& b) {
+    const Vec3<double> old = a;
+    a = plus(times(c, a), -s, b);
+    b = plus(times(c, b), s, old);
+  };
+  turn(wp, wq);
+  turn(vp, vq);
+  return true;
+}
+
+/// Returns a unit vector orthogonal to the unit vector `n`: the given direction if it is orthogonal, or else
+/// any.
+Vec3<double> orthogonal_to(const Vec3<double>& n, const Vec3<double>& direction) {
+  const Vec3<double> rest = plus(direction, -dot(direction, n), n);
+  if (norm(rest) > 0.5) return unit(rest);
+  const auto least = std::ranges::min_element(n, {}, [](double x) { return std::fabs(x); });
+  Vec3<double> axis{};
+  axis[least - n.begin()] = 1;
+  return unit(plus(axis, -*least, n));
+}
+
+/// Returns U, the singular values and V for M V = W, where W has orthogonal columns.
+std::array<double, 21> singular_system(Columns3 w, Columns3 v, double scale) {
+  for (const auto& [p, q] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 1)}) {
+    if (!(length(w[q]) > length(w[p]))) continue;
+    w[p] = times(-1, std::exchange(w[q], w[p]));
+    v[p] = times(-1, std::exchange(v[q], v[p]));
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (with_positive_largest(v[k]) == v[k]) continue;
+    for (Columns3* m : {&w, &v})
+      for (const std::size_t i : {k, std::size_t{2}}) (*m)[i] = times(-1, (*m)[i]);
+  }
+  Columns3 u{unit(w[0])};
+  if (length(w[0]) == 0) u[0] = {1, 0, 0};
+  u[1] = orthogonal_to(u[0], unit(w[1]));
+  u[2] = cross(u[0], u[1]);
+  std::array<double, 21> system;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double last = std::copysign(std::min(length(w[1]), length(w[2])), dot(w[2], u[2]));
+    system[9 + k] = (k < 2 ? length(w[k]) : last) * scale;
+    for (std::size_t i = 0; i < 3; ++i) {
+      system[3 * i + k] = u[k][i];
+      system[12 + 3 * i + k] = v[k][i];
+    }
+  }
+  return system;
+}
+
+std::array<double, 21> singular_system_in_double(const std::array<double, 9>& m) {
+  constexpr int most_rounds = 40;
+  double size = 0, finite = 0;
+  for (const double x : m) {
+    size = std::max(size, std::fabs(x));
+    finite += x * 0;
+  }
+  if (finite != 0) {
+    std::array<double, 21> nan;
+    nan.fill(std::numeric_limits<double>::quiet_NaN());
+    return nan;
+  }
+  const auto scaled = normalized(m);
+  Columns3 w, v{Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}};
+  for (std::size_t i = 0; i < 9; ++i) w[i % 3][i / 3] = scaled[i];
+  bool turned = true;
+  for (int round = 0; round < most_rounds && turned; ++round) {
+    turned = false;
+    for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
+      turned |= make_orthogonal(w[p], w[q], v[p], v[q]);
+  }
+  return singular_system(w, v, size > 0 ? std::scalbn(1.0, std::ilogb(size)) : 1);
 }
 
 /// Computes (f(x) - f(y)) / (x - y) for positive x >= y, or f'(x) if x = y.
@@ -402,8 +512,18 @@ void any_half_angle(const T* w, T* cosine_and_sine) {
     to_six(derivative_by_slopes({f, p}, from_six(in), from_six(in + 6)), out); \
   }                                                                            \
   void eigenvalues_by_jacobi(const T* in, T* out) {                            \
-    const auto values = eigenvalues_in_double(from_six(in));                   \
-    for (int k = 0; k < 3; ++k) out[k] = T(values[k]);                         \
+    const auto system = eigensystem_in_double(from_six(in));                   \
+    for (int k = 0; k < 3; ++k) out[k] = T(system[k]);                         \
+  }                                                                            \
+  void eigh_by_jacobi(const T* in, T* out) {                                   \
+    const auto system = eigensystem_in_double(from_six(in));                   \
+    for (int k = 0; k < 12; ++k) out[k] = T(system[k]);                        \
+  }                                                                            \
+  void svd_by_jacobi(const T* in, T* out) {                                    \
+    std::array<double, 9> m;                                                   \
+    std::copy(in, in + 9, m.begin());                                          \
+    const auto system = singular_system_in_double(m);                          \
+    for (int k = 0; k < 21; ++k) out[k] = T(system[k]);                        \
   }                                                                            \
   void half_angle(const T* w, T* cosine_and_sine) {                            \
     any_half_angle(w, cosine_and_sine);                                        \

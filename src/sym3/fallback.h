@@ -42,6 +42,15 @@ void spectral_derivative_by_jacobi(Of f, double p, const float* in, float* out);
 void eigenvalues_by_jacobi(const double* in, double* out);
 void eigenvalues_by_jacobi(const float* in, float* out);
 
+/// Computes three eigenvalues in ascending order and the matrix of their eigenvectors, see decomposition.h.
+void eigh_by_jacobi(const double* in, double* out);
+void eigh_by_jacobi(const float* in, float* out);
+
+/// Computes U, the singular values and V of a general matrix, see decomposition.h. For any lengths of
+/// columns.
+void svd_by_jacobi(const double* in, double* out);
+void svd_by_jacobi(const float* in, float* out);
+
 /// Computes the rotation nearest to a general matrix from the largest eigenvector of Horn's 4x4 matrix, see
 /// polar.h. Each matrix has nine numbers.
 void polar_by_jacobi(const double* in, double* out);

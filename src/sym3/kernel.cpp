@@ -26,13 +26,17 @@ VIETE_FUNCTION(tangent, 6, 36, Of, double)
 #undef VIETE_FUNCTION
 extern const PolarFunction<double> polar_double;
 extern const PolarFunction<float> polar_float;
+extern const EighFunction<double> eigh_double;
+extern const EighFunction<float> eigh_float;
+extern const SvdFunction<double> svd_double;
+extern const SvdFunction<float> svd_float;
 extern const DerivativeFunction<double> derivative_double;
 extern const DerivativeFunction<float> derivative_float;
 
-#define VIETE_FUNCTIONS_OF(T)                                                                    \
-  {                                                                                              \
-    &exp_##T, &log_##T, &sqrt_##T, &inv_sqrt_##T, &pow_##T, &eigenvalues_##T, &exp_rotation_##T, \
-        &log_rotation_##T, &rotation_of_##T, &polar_##T, &derivative_##T, &tangent_##T           \
+#define VIETE_FUNCTIONS_OF(T)                                                                               \
+  {                                                                                                         \
+    &exp_##T, &log_##T, &sqrt_##T, &inv_sqrt_##T, &pow_##T, &eigenvalues_##T, &exp_rotation_##T,            \
+        &log_rotation_##T, &rotation_of_##T, &polar_##T, &eigh_##T, &svd_##T, &derivative_##T, &tangent_##T \
   }
 static const KernelTable table = {VIETE_FUNCTIONS_OF(double), VIETE_FUNCTIONS_OF(float)};
 #undef VIETE_FUNCTIONS_OF

@@ -32,6 +32,23 @@ struct PolarFunction {
                const Range& range);
 };
 
+/// Eigenvectors. `one` writes three eigenvalues, then nine numbers of the eigenvectors.
+template <class T>
+struct EighFunction {
+  void (*one)(const T* in, T* out);
+  void (*many)(const View<const T, 6>& in, const View<T, 3>& values, const View<T, 9>& vectors,
+               const Range& range);
+};
+
+/// Singular value decompositions. `one` writes nine numbers of U, three singular values, then nine numbers of
+/// V.
+template <class T>
+struct SvdFunction {
+  void (*one)(const T* in, T* out);
+  void (*many)(const View<const T, 9>& in, const View<T, 9>& u, const View<T, 3>& values, const View<T, 9>& v,
+               const Range& range);
+};
+
 /// A derivative at S in one direction or in n directions. p is the exponent of pow.
 template <class T>
 struct DerivativeFunction {
@@ -49,6 +66,8 @@ struct KernelFunctions {
   const Function<T, 9, 3>* log_rotation;
   const Function<T, 9, 9>* rotation_of;
   const PolarFunction<T>* polar;
+  const EighFunction<T>* eigh;
+  const SvdFunction<T>* svd;
   const DerivativeFunction<T>* derivative;
   const Function<T, 6, 36, Of, double>* tangent;
 };

@@ -106,6 +106,15 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   return e;
 }
 
+/// Returns true if S is finite and its invariants are in range.
+template <class D, class V>
+static HWY_INLINE hn::Mask<D> has_ordinary_size(D d, const Six<V>& s) {
+  using T = hn::TFromD<D>;
+  const V size = largest_entry(s);
+  return hn::And(is_finite(d, s), hn::And(hn::Ge(size, hn::Set(d, T(sizeof(T) == 8 ? 1e-290 : 1e-30))),
+                                          hn::Le(size, hn::Set(d, T(sizeof(T) == 8 ? 1e300 : 1e37)))));
+}
+
 /// Returns true if S is positive definite and not badly conditioned, and nothing overflows or underflows.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {

@@ -96,15 +96,12 @@ struct Eigenvalues {
   }
 
 private:
-  /// Returns the valid lanes: finite matrices whose invariants are in range.
+  /// Returns the valid lanes.
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[3]) {
-    using T = hn::TFromD<D>;
     const Six<V> s = six(in);
     put_three(eigenvalues_lanes(d, spectrum(d, s)), out);
-    const V size = largest_entry(s);
-    return hn::And(is_finite(d, s), hn::And(hn::Ge(size, hn::Set(d, T(sizeof(T) == 8 ? 1e-290 : 1e-30))),
-                                            hn::Le(size, hn::Set(d, T(sizeof(T) == 8 ? 1e300 : 1e37)))));
+    return has_ordinary_size(d, s);
   }
 };
 

@@ -5,6 +5,7 @@
 #include "sym3/arranged.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
+#include "sym3/with_condition.h"
 
 using sym3::Mat3;
 
@@ -44,18 +45,6 @@ double error(const Mat3<T>& r, const Truth& truth) {
   Quad sum = 0;
   for (int k = 0; k < 9; ++k) sum += (r[k] - truth.rotation[k]) * (r[k] - truth.rotation[k]);
   return static_cast<double>(sqrtq(sum)) / unit_roundoff<T>;
-}
-
-template <class T>
-Mat3<T> with_singular_values(const std::array<double, 3>& s, Random& random) {
-  const auto a = random_rotation(random), b = random_rotation(random);
-  Mat3<T> m;
-  for (int i = 0; i < 9; ++i) {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) sum += a[i / 3][k] * s[k] * b[i % 3][k];
-    m[i] = T(sum);
-  }
-  return m;
 }
 
 template <class T>

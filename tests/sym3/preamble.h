@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <vector>
 
 #include "bench/ensembles.h"
 #include "sym3/sym3.h"
@@ -22,6 +23,17 @@ void for_spreads(std::initializer_list<double> spreads, const Check& check) {
   for (const double spread : spreads)
     for (const double lowest : {0.0, -spread / 3, -spread / 2, -spread, sizeof(T) == 8 ? -690.0 : -80.0})
       if (lowest + spread < most && lowest + spread > least) check(spread, lowest);
+}
+
+/// Returns sets of matrices: of the paper, with wide spectra, and with two or three close eigenvalues.
+template <class T>
+std::vector<std::vector<Sym3<T>>> all_gaps() {
+  std::vector<std::vector<Sym3<T>>> all = {paper_ensemble<T>(2000), spreads<T>(300, -100, 500)};
+  for (int digits = 1; digits <= 16; ++digits) {
+    all.push_back(pairs<T>(std::pow(10.0, -digits), 200));
+    all.push_back(triples<T>(std::pow(10.0, -digits), 200));
+  }
+  return all;
 }
 
 template <class T>

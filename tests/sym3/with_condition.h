@@ -1,10 +1,12 @@
-// Positive definite matrices with a given condition number.
+// Positive definite matrices with a given condition number, general matrices with given singular values.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "bench/ensembles.h"
+#include "sym3/rotation.h"
 
 namespace viete::test {
 
@@ -19,6 +21,19 @@ std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double si
     const double lowest = size * (i % 2 ? 1 : std::pow(10.0, ensembles::uniform(random, -3, 3)));
     return ensembles::with_eigenvalues<T>({lowest, lowest * middle[i % 5], lowest * condition}, random);
   });
+}
+
+/// Returns a general matrix with the singular values s; negative values mirror.
+template <class T>
+sym3::Mat3<T> with_singular_values(const std::array<double, 3>& s, bench::ensembles::Random& random) {
+  const auto a = bench::ensembles::random_rotation(random), b = bench::ensembles::random_rotation(random);
+  sym3::Mat3<T> m;
+  for (int i = 0; i < 9; ++i) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += a[i / 3][k] * s[k] * b[i % 3][k];
+    m[i] = T(sum);
+  }
+  return m;
 }
 
 /// Returns matrices with eigenvalues from 1 - size to 1 + size.
