@@ -11,6 +11,7 @@
 #include "bench/ensembles.h"
 #include "bench/exp.h"
 #include "pose/maps.h"
+#include "sym3/decomposition.h"
 #include "sym3/derivative.h"
 #include "sym3/eigen.h"
 #include "sym3/exp.h"
@@ -147,6 +148,50 @@ void rotations(Bars& report) {
                               batched("batched", 4, [&] { sym3::polar(from_m, to, in_cache); }),
                               copy_of(planes_m.data(), out.data(), 9, stride)});
   report.check("polar: SVD / batched", faster(polar, "SVD", "batched"), 40, true);
+}
+
+/// Times eigenvectors and singular value decompositions against Eigen's solvers.
+template <class T>
+void decompositions(const std::string& type, Bars& report) {
+  using Matrix = Eigen::Matrix<T, 3, 3>;
+  const auto symmetric = paper_ensemble<T>(in_cache);
+  Random random(13);
+  const std::size_t stride = sym3::padded_stride<T>(in_cache);
+  MatrixArray<T> s(Layout::planes, in_cache);
+  s.fill(symmetric);
+  std::vector<Matrix> general(in_cache), answers(in_cache);
+  base::AlignedVector<T> m(9 * stride), u(9 * stride), v(9 * stride), values(3 * stride);
+  for (std::size_t i = 0; i < in_cache; ++i)
+    for (int k = 0; k < 9; ++k) m[k * stride + i] = general[i](k / 3, k % 3) = T(uniform(random, -1, 1));
+  const sym3::MatView<T> to_u(u.data(), stride), to_v(v.data(), stride);
+  const sym3::VecView<T> to_values(values.data(), stride);
+  const auto solved = [](auto compute) {
+    return [compute](const Sym3<T>& a) {
+      Eigen::SelfAdjointEigenSolver<Matrix> solver;
+      compute(solver, sym3::to_eigen(a));
+      return solver.eigenvectors();
+    };
+  };
+  std::vector<RoundCase> eigh = {
+      one_by_one("QR", symmetric, answers, solved([](auto& e, const Matrix& a) { e.compute(a); })),
+      one_by_one("direct", symmetric, answers, solved([](auto& e, const Matrix& a) { e.computeDirect(a); }))};
+  std::vector<RoundCase> svd = {one_by_one("JacobiSVD", general, answers, [](const Matrix& a) {
+    const Eigen::JacobiSVD<Matrix> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return Matrix(svd.matrixU() * svd.matrixV());
+  })};
+  for (const Kernel& k : sym3::kernels()) {
+    eigh.push_back(batched(std::string(k.name), 20,
+                           [&, kernel = &k] { sym3::eigh(s.view(), to_values, to_v, in_cache, {kernel}); }));
+    svd.push_back(batched(std::string(k.name), 10, [&, kernel = &k] {
+      sym3::svd(sym3::MatView<T>(m.data(), stride), to_u, to_values, to_v, in_cache, {kernel});
+    }));
+  }
+  const auto vectors = measure("eigenvectors " + type, eigh), singular = measure("svd " + type, svd);
+  if (!(time_of(vectors, "avx512") > 0)) return;
+  report.check("eigenvectors " + type + ": QR / avx512", faster(vectors, "QR", "avx512"),
+               sizeof(T) == 8 ? 15 : 25, true);
+  report.check("svd " + type + ": JacobiSVD / avx512", faster(singular, "JacobiSVD", "avx512"),
+               sizeof(T) == 8 ? 14 : 20, true);
 }
 
 void logarithms(const std::string& what, const std::vector<Sym3<double>>& matrices, Bars& report) {
@@ -316,6 +361,8 @@ void bench_sym3(std::size_t count, const std::filesystem::path& json) {
   in_second_cache<float>("float", report);
   out_of_cache(count ? count : 10'000'000, report);
   rotations(report);
+  decompositions<double>("double", report);
+  decompositions<float>("float", report);
   Random random(11);
   std::vector<Sym3<double>> ordinary(in_cache);
   for (auto& s : ordinary)

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #ifdef VIETE_HAS_DEFORMER
 #include "python/meshes.h"
 #endif
+#include "sym3/decomposition.h"
 #include "sym3/derivative.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
@@ -82,15 +84,22 @@ py::object derivative(const char* name, const py::object& a, const py::object& e
   });
 }
 
+/// Returns the shape of `in` with other axes in place of those of its matrices.
+template <class T>
+std::vector<py::ssize_t> axes_of(const Contiguous<T>& in, py::ssize_t own,
+                                 std::initializer_list<py::ssize_t> instead) {
+  std::vector<py::ssize_t> axes(in.shape(), in.shape() + in.ndim() - own);
+  axes.insert(axes.end(), instead);
+  return axes;
+}
+
 template <class F>
 py::object tangent(const char* name, const py::object& a, const F& f) {
   const py::array array = as_array(name, a);
   return by_type(is_single(name, array), [&]<class T>(T) -> py::object {
     const Contiguous<T> in(array);
     const Shape shape = symmetric_shape(name, in);
-    std::vector<py::ssize_t> axes(in.shape(), in.shape() + in.ndim() - shape.axes);
-    axes.insert(axes.end(), {6, 6});
-    py::array_t<T> result(axes);
+    py::array_t<T> result(axes_of(in, shape.axes, {6, 6}));
     const sym3::SymView<const T> matrices(shape.layout, in.data());
     const sym3::TangentView<T> to(sym3::Layout::packed, result.mutable_data());
     const py::gil_scoped_release release;
@@ -116,6 +125,54 @@ py::object polar(const py::object& m, const std::optional<std::pair<py::object, 
       sym3::polar(from, rotations, stretches, static_cast<std::size_t>(in.size()) / 9);
     }
     return py::make_tuple(r, u);
+  });
+}
+
+py::object eigh(const py::object& a) {
+  const py::array array = as_array("eigh", a);
+  return by_type(is_single("eigh", array), [&]<class T>(T) -> py::object {
+    const Contiguous<T> in(array);
+    const Shape shape = symmetric_shape("eigh", in);
+    py::array_t<T> values(axes_of(in, shape.axes, {3})), vectors(axes_of(in, shape.axes, {3, 3}));
+    const sym3::SymView<const T> from(shape.layout, in.data());
+    const sym3::VecView<T> to_values(sym3::Layout::packed, values.mutable_data());
+    const sym3::MatView<T> to_vectors(sym3::Layout::packed, vectors.mutable_data());
+    {
+      const py::gil_scoped_release release;
+      sym3::eigh(from, to_values, to_vectors, shape.count);
+    }
+    return py::make_tuple(values, vectors);
+  });
+}
+
+/// Makes negative last values positive, by a change of the sign of the last column of u, as numpy does.
+template <class T>
+void make_positive(std::size_t count, T* u, T* values) {
+  for (; count > 0; --count, u += 9, values += 3) {
+    const T sign = values[2] < 0 ? T(-1) : T(1);
+    for (T* number : {values + 2, u + 2, u + 5, u + 8}) *number *= sign;
+  }
+}
+
+py::object svd(const py::object& m, bool is_signed) {
+  const py::array array = as_array("svd", m);
+  return by_type(is_single("svd", array), [&]<class T>(T) -> py::object {
+    const Contiguous<T> in(array);
+    const Shape shape = symmetric_shape("svd", in);
+    if (shape.layout != sym3::Layout::full)
+      wrong("svd", "matrices must be (..., 3, 3); this shape is " + shape_text(in));
+    const auto nine = axes_of(in, 2, {3, 3});
+    py::array_t<T> u(nine), v(nine), values(axes_of(in, 2, {3}));
+    T *const to_u = u.mutable_data(), *const to_v = v.mutable_data(),
+             *const to_values = values.mutable_data();
+    const T* const from = in.data();
+    {
+      const py::gil_scoped_release release;
+      constexpr auto packed = sym3::Layout::packed;
+      sym3::svd({packed, from}, {packed, to_u}, {packed, to_values}, {packed, to_v}, shape.count);
+      if (!is_signed) make_positive(shape.count, to_u, to_values);
+    }
+    return py::make_tuple(u, values, v.attr("swapaxes")(-1, -2));
   });
 }
 
@@ -235,6 +292,17 @@ PYBIND11_MODULE(viete, m) {
         "determinant, and u is symmetric. Returns (r, u).\n\nm: (..., 3, 3), float32 or float64; integers "
         "are converted to float64.\nout: a pair (r, u) of arrays with the shape and type of m for the "
         "results. r may be m.\nReleases the GIL.");
+  m.def(
+      "eigh", eigh, py::arg("a"),
+      "Eigenvalues and eigenvectors of each symmetric matrix, as numpy.linalg.eigh. Returns (w, v): w "
+      "ascends, and the column v[..., :, k] belongs to w[..., k]. v is a rotation; the largest components of "
+      "its columns 1 and 2 are positive. NaN for matrices that are not finite. Releases the GIL.");
+  m.def(
+      "svd", svd, py::arg("m"), py::arg("signed") = false,
+      "The singular value decomposition m = (u * s[..., None, :]) @ vh of each matrix, as numpy.linalg.svd. "
+      "Returns (u, s, vh): s descends and is not negative.\n\n"
+      "m: (..., 3, 3), float32 or float64; integers are converted to float64.\nsigned: if true, u and vh are "
+      "rotations, and the last value has the sign of the determinant.\nReleases the GIL.");
   m.def("mean", mean, py::arg("a"), py::arg("weights") = py::none(),
         "The log-Euclidean mean exp(mean(log a)) of positive definite matrices, (..., k, 3, 3) or (..., k, "
         "6). Its determinant is the geometric mean of the determinants.\n\n"

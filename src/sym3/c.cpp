@@ -4,6 +4,7 @@
 #include <string>
 #include <type_traits>
 
+#include "sym3/decomposition.h"
 #include "sym3/derivative.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
@@ -118,6 +119,24 @@ int polar_of(const T* in, viete_layout from, T* rotations, viete_layout to, T* s
       Argument<const T, 9>{in, from}, Argument<T, 9>{rotations, to}, Argument<T, 6>{stretches, stretch});
 }
 
+template <class T>
+int eigh_of(const T* in, viete_layout from, T* values, viete_layout value, T* vectors, viete_layout vector,
+            std::size_t count) {
+  return apply(
+      count, [](const auto& s, const auto& w, const auto& v, std::size_t n) { eigh(s, w, v, n); },
+      Argument<const T, 6>{in, from}, Argument<T, 3>{values, value}, Argument<T, 9>{vectors, vector});
+}
+
+template <class T>
+int svd_of(const T* in, viete_layout from, T* u, viete_layout to_u, T* values, viete_layout value, T* v,
+           viete_layout to_v, std::size_t count) {
+  return apply(
+      count,
+      [](const auto& m, const auto& u, const auto& s, const auto& v, std::size_t n) { svd(m, u, s, v, n); },
+      Argument<const T, 9>{in, from}, Argument<T, 9>{u, to_u}, Argument<T, 3>{values, value},
+      Argument<T, 9>{v, to_v});
+}
+
 }  // namespace
 
 }  // namespace viete::sym3
@@ -149,6 +168,14 @@ using namespace viete;  // the functions have no namespace
   int viete_polar##suffix(const T* in, viete_layout from, T* rotations, viete_layout to, T* stretches,     \
                           viete_layout stretch, size_t count) {                                            \
     return sym3::polar_of(in, from, rotations, to, stretches, stretch, count);                             \
+  }                                                                                                        \
+  int viete_eigh##suffix(const T* in, viete_layout from, T* values, viete_layout value, T* vectors,        \
+                         viete_layout vector, size_t count) {                                              \
+    return sym3::eigh_of(in, from, values, value, vectors, vector, count);                                 \
+  }                                                                                                        \
+  int viete_svd##suffix(const T* in, viete_layout from, T* u, viete_layout to_u, T* values,                \
+                        viete_layout value, T* v, viete_layout to_v, size_t count) {                       \
+    return sym3::svd_of(in, from, u, to_u, values, value, v, to_v, count);                                 \
   }
 
 VIETE_C_PRECISION(double, )

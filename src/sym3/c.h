@@ -49,6 +49,14 @@ int viete_sqrt_derivative(const double* in, viete_layout in_layout, const double
 /* M = R U: `in` has general matrices M (9 entries), `rotations` has R (9 entries), `stretches` has U (6). */
 int viete_polar(const double* in, viete_layout in_layout, double* rotations, viete_layout rotation_layout,
                 double* stretches, viete_layout stretch_layout, size_t count);
+/* S = V diag(values) V^T: eigenvalues in ascending order (3 entries) and a rotation V (9 entries), whose
+ * column k belongs to value k. */
+int viete_eigh(const double* in, viete_layout in_layout, double* values, viete_layout value_layout,
+               double* vectors, viete_layout vector_layout, size_t count);
+/* M = U diag(values) V^T: rotations U and V (9 entries) and singular values in descending order (3 entries),
+ * the last with the sign of the determinant of M. */
+int viete_svd(const double* in, viete_layout in_layout, double* u, viete_layout u_layout, double* values,
+              viete_layout value_layout, double* v, viete_layout v_layout, size_t count);
 
 /* Single precision. */
 int viete_exp_f(const float* in, viete_layout in_layout, float* out, viete_layout out_layout, size_t count);
@@ -60,6 +68,10 @@ int viete_pow_f(const float* in, viete_layout in_layout, double p, float* out, v
                 size_t count);
 int viete_polar_f(const float* in, viete_layout in_layout, float* rotations, viete_layout rotation_layout,
                   float* stretches, viete_layout stretch_layout, size_t count);
+int viete_eigh_f(const float* in, viete_layout in_layout, float* values, viete_layout value_layout,
+                 float* vectors, viete_layout vector_layout, size_t count);
+int viete_svd_f(const float* in, viete_layout in_layout, float* u, viete_layout u_layout, float* values,
+                viete_layout value_layout, float* v, viete_layout v_layout, size_t count);
 
 /* Returns the active instruction set, for example "avx512". The result is never null. */
 const char* viete_kernel(void);

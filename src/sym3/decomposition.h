@@ -27,7 +27,7 @@ struct Eigensystem {
 /// Returns eigenvalues and eigenvectors of any finite matrix, by a closed form (vectors-inl.h).
 ///
 /// Errors, for any distances between eigenvalues: values 8 u of the largest absolute eigenvalue; |V^T V - I|
-/// <= 16 u; |V diag(values) V^T - S| <= 24 u |S|. The angle between a computed and an exact eigenvector is
+/// <= 20 u; |V diag(values) V^T - S| <= 24 u |S|. The angle between a computed and an exact eigenvector is
 /// about u |S| / gap, where gap is the distance to the nearest other eigenvalue. For equal eigenvalues, the
 /// vectors are an orthonormal basis of the eigenspace. Sign: the largest component of the vectors 1 and 2 is
 /// positive; vector 0 completes the rotation. S = 0 gives V = I. A NaN or an infinity in S gives twelve NaN.
@@ -51,7 +51,7 @@ struct SingularSystem {
 /// Returns the singular value decomposition of any finite matrix, by one-sided Jacobi rotations of its
 /// columns.
 ///
-/// Errors: |U^T U - I| and |V^T V - I| <= 24 u; |U diag(values) V^T - M| <= 24 u |M|. If M = B D, where D is
+/// Errors: |U^T U - I| and |V^T V - I| <= 24 u; |U diag(values) V^T - M| <= 16 u |M|. If M = B D, where D is
 /// diagonal and B has columns of length 1 and condition number k, each singular value has a *relative* error
 /// of at most 16 u k, even if D spans many orders of magnitude: stretched axes keep their small lengths.
 /// Values below 1e-290 (float 1e-36) of the largest have no relative accuracy. Sign: the largest component of

@@ -85,6 +85,32 @@ class Answers(unittest.TestCase):
             self.assertTrue((np.linalg.eigvalsh(u)[:, :2].sum(axis=1) > 0).all())  # then no rotation is nearer
             self.assertTrue(np.array_equal(u, np.swapaxes(u, -1, -2)))
 
+    def test_eigh_agrees_with_numpy_in_both_forms(self):
+        for dtype in TYPES:
+            s = symmetric(dtype, 20, 30)
+            w, v = viete.eigh(s)
+            self.assertEqual((w.dtype, w.shape, v.shape), (dtype, (20, 30, 3), s.shape))
+            self.assertLess(np.abs(w - np.linalg.eigh(s.astype(np.float64))[0]).max(), tolerance(dtype))
+            self.assert_close((v * w[..., None, :]) @ np.swapaxes(v, -1, -2), s, dtype)
+            self.assertTrue((np.linalg.det(v) > 0.9).all())
+            for a, b in zip(viete.eigh(packed(s)), (w, v)):
+                self.assertTrue(np.array_equal(a, b))
+
+    def test_svd_agrees_with_numpy_and_has_rotations_if_signed(self):
+        for dtype in TYPES:
+            m = np.random.default_rng(8).uniform(-1, 1, (20, 30, 3, 3)).astype(dtype)
+            u, s, vh = viete.svd(m)
+            self.assertEqual((u.dtype, u.shape, s.shape, vh.shape), (dtype, m.shape, (20, 30, 3), m.shape))
+            self.assertLess(np.abs(s - np.linalg.svd(m.astype(np.float64), compute_uv=False)).max(), tolerance(dtype))
+            self.assertTrue((s >= 0).all())
+            self.assert_close((u * s[..., None, :]) @ vh, m, dtype)
+            u, s, vh = viete.svd(m, signed=True)
+            self.assert_close((u * s[..., None, :]) @ vh, m, dtype)
+            self.assertTrue((np.linalg.det(u) > 0.9).all() and (np.linalg.det(vh) > 0.9).all())
+            self.assertTrue(np.array_equal(s[..., 2] < 0, np.linalg.det(m) < 0))
+        self.assertEqual([x.shape for x in viete.svd(np.zeros((0, 3, 3)))], [(0, 3, 3), (0, 3), (0, 3, 3)])
+        self.assertTrue(np.isnan(viete.svd(np.full((3, 3), np.inf))[1]).all())
+
     def test_polar_writes_into_a_pair_of_arrays(self):
         m = symmetric(np.float32, 150) + np.arange(9, dtype=np.float32).reshape(3, 3)
         (r, u), other = viete.polar(m), np.empty_like(m)
@@ -211,6 +237,8 @@ class Arrays(unittest.TestCase):
             **{name + "_derivative": lambda d=d: d(s, matrices) for name, (d, _, _, _) in DERIVATIVES.items()},
             **{name + "_tangent": lambda t=t: t(matrices) for name, (_, t, _, _) in DERIVATIVES.items()},
             "polar": lambda: viete.polar(matrices),
+            "eigh": lambda: viete.eigh(matrices),
+            "svd": lambda: viete.svd(matrices),
             "mean": lambda: viete.mean(matrices),
             "interpolate": lambda: viete.interpolate(s, s, np.broadcast_to(0.5, 10**16)),
             "affine_log": lambda: viete.affine_log(s, near=np.broadcast_to(0.0, (10**15, 3))),
@@ -288,6 +316,8 @@ class Errors(unittest.TestCase):
         for error, words, call in [
             *[(viete.Error, r"viete.exp: .*\(\.\.\., 6\).*\(", lambda a=a: viete.exp(a)) for a in wrong_shapes],
             (viete.Error, "viete.polar", lambda: viete.polar(six)),
+            (viete.Error, "viete.svd", lambda: viete.svd(six)),
+            (viete.Error, "viete.eigh", lambda: viete.eigh(np.zeros((3, 4)))),
             (TypeError, "viete.log: .*complex128", lambda: viete.log(np.zeros(6, complex))),
             (TypeError, "viete.exp: .*float16", lambda: viete.exp(np.zeros(6, np.float16))),
             (TypeError, "viete.exp", lambda: viete.exp("six numbers")),

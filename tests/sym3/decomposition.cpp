@@ -77,7 +77,7 @@ void check_eigh(const Sym3<T>& s) {
   for (const auto& kernel : sym3::kernels()) {
     const Eigensystem<T> e = eigh_with(kernel, s);
     CAPTURE(kernel.name);
-    CHECK(rotation_error(e.vectors) <= 16);
+    CHECK(rotation_error(e.vectors) <= 20);
     CHECK(product_error(e.vectors, e.values, e.vectors, nine_entries(s)) <= 24);
     CHECK(std::ranges::is_sorted(e.values));
     CHECK(has_positive_largest(e.vectors, 1));
@@ -113,7 +113,7 @@ void check_svd(const Mat3<T>& m) {
     CAPTURE(kernel.name);
     CHECK(rotation_error(s.u) <= 24);
     CHECK(rotation_error(s.v) <= 24);
-    CHECK(product_error(s.u, s.values, s.v, to_quad(m)) <= 24);
+    CHECK(product_error(s.u, s.values, s.v, to_quad(m)) <= 16);
     CHECK(s.values[0] >= s.values[1]);
     CHECK(s.values[1] >= std::fabs(s.values[2]));
     CHECK(has_positive_largest(s.v, 0));
@@ -245,7 +245,7 @@ TEST_CASE_TEMPLATE("singular_values_of_stretched_columns_are_accurate_relative_t
     for (int i = 0; i < 100; ++i) {
       const auto m = with_columns<T>(three, random);
       for (const auto& kernel : sym3::kernels())
-        CHECK(relative_error(svd_with(kernel, m).values, to_quad(m)) <= 32);
+        CHECK(relative_error(svd_with(kernel, m).values, to_quad(m)) <= 16);
       check_svd(m);
     }
 }
@@ -258,7 +258,7 @@ TEST_CASE_TEMPLATE("svd_takes_entries_near_the_ends_of_the_range", T, double, fl
     CHECK(svd_with(kernel, Mat3<T>{0, least, 0, least, 0, 0, 0, 0, 1}).values == Vec3<T>{1, least, -least});
     const auto e = eigh_with(kernel, diagonal<T>(most, -most, least));
     CHECK(e.values[0] == doctest::Approx(-most));
-    CHECK(rotation_error(e.vectors) <= 16);
+    CHECK(rotation_error(e.vectors) <= 20);
   }
 }
 

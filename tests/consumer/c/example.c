@@ -52,6 +52,13 @@ int main(void) {
   check(viete_sqrt_f(single, one, single, one, 1) == 0 && fabsf(single[0] - 2) + fabsf(single[3] - 3) + fabsf(single[5] - 4) < 1e-5f, "sqrt of floats");
   check(viete_polar_f(rotation, (viete_layout){1, 9}, r, (viete_layout){1, 9}, u, one, 1) == 0, "polar");
   check(fabsf(r[3] - 1) < 1e-6f && fabsf(u[0] - 3) < 1e-5f && fabsf(u[3] - 2) < 1e-5f, "its rotation and stretch");
+  float values[3], v[9];
+  const viete_layout three = {1, 3}, rows = {1, 9};
+  check(viete_svd_f(rotation, rows, r, rows, values, three, v, rows, 1) == 0, "svd");
+  check(fabsf(values[0] - 4) + fabsf(values[1] - 3) + fabsf(values[2] - 2) < 1e-5f, "the singular values");
+  check(viete_eigh_f(u, one, values, three, v, rows, 1) == 0, "eigh");
+  check(fabsf(values[0] - 2) + fabsf(values[1] - 3) + fabsf(values[2] - 4) < 1e-5f, "the eigenvalues");
+  check(viete_eigh_f(u, one, values, (viete_layout){0, 9}, v, rows, 1) == -1, "a vector has no upper triangle");
   check(viete_exp(NULL, one, answers, one, 1) == -1, "null is refused");
   check(viete_exp(packed, (viete_layout){1, 0}, answers, one, 1) == -1, "a stride of 0 is refused");
   check(viete_polar_f(rotation, nine, r, (viete_layout){1, 9}, u, one, 1) == -1, "a general matrix has no upper triangle");
