@@ -8,7 +8,6 @@
 #include "base/median.h"
 #include "pose/deformer.h"
 #include "sym3/exp.h"
-#include "sym3/reference.h"
 
 namespace viete::app {
 

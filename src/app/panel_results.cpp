@@ -6,8 +6,6 @@
 #include "deform/vertex_sample.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"
-#include "sym3/reference.h"
-#include "sym3/route.h"
 
 namespace viete::app {
 

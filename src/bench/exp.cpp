@@ -13,7 +13,6 @@
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
-#include "sym3/reference.h"
 
 namespace viete::bench {
 

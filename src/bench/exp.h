@@ -137,7 +137,7 @@ struct AccuracyTable {
 };
 
 /// Measures all tables with `samples` matrices per row. Errors are relative to 106-bit results of the same
-/// input (sym3/reference.h). If in_float is true, first rounds the input to float. Throws base::Cancelled.
+/// input (sym3/exp.h). If in_float is true, first rounds the input to float. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
 Table errors_table(const AccuracyTable& accuracy);

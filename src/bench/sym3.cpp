@@ -18,7 +18,6 @@
 #include "sym3/kernel.h"
 #include "sym3/log.h"
 #include "sym3/polar.h"
-#include "sym3/reference.h"
 #include "sym3/rotation.h"
 
 namespace viete::bench {

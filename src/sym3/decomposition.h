@@ -24,7 +24,7 @@ struct Eigensystem {
   Mat3<T> vectors;  ///< V, a rotation: column k is the eigenvector of values[k]
 };
 
-/// Returns eigenvalues and eigenvectors of any finite matrix, by a closed form (vectors-inl.h).
+/// Returns eigenvalues and eigenvectors of any finite matrix, by a closed form (spectral-inl.h).
 ///
 /// Errors, for any distances between eigenvalues: values 8 u of the largest absolute eigenvalue; |V^T V - I|
 /// <= 20 u; |V diag(values) V^T - S| <= 24 u |S|. The angle between a computed and an exact eigenvector is

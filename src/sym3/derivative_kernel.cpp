@@ -6,7 +6,7 @@
 #include "sym3/batch-inl.h"
 #include "sym3/exp_derivative-inl.h"
 #include "sym3/fallback.h"
-#include "sym3/vectors-inl.h"
+#include "sym3/spectral-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {

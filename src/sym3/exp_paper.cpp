@@ -16,8 +16,6 @@
 #include "sym3/exp_tables.h"
 #include "sym3/jacobi.h"
 #include "sym3/log.h"
-#include "sym3/reference.h"
-#include "sym3/route.h"
 #include "sym3/small_matrices.h"
 
 namespace viete::sym3 {

@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "sym3/exp.h"
 #include "sym3/jacobi.h"
-#include "sym3/reference.h"
 
 using namespace viete;
 using analysis::Field;

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "sym3/reference.h"
+#include "sym3/exp.h"
 
 using namespace viete;
 

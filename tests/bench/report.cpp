@@ -8,7 +8,7 @@
 #include "support/shapes.h"
 #include "support/text.h"
 #include "support/xml.h"
-#include "sym3/reference.h"
+#include "sym3/exp.h"
 
 using namespace viete;
 using namespace viete::bench;

@@ -3,11 +3,10 @@
 #include <set>
 
 #include "sym3/arranged.h"
+#include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
-#include "sym3/reference.h"
-#include "sym3/route.h"
 
 TEST_CASE("kernels_have_names_and_the_last_runs_everywhere") {
   std::set<std::string_view> names;
