@@ -37,7 +37,7 @@ int accessor_of(const std::string& glb, std::size_t mesh, const char* attribute)
 
 std::vector<std::string> rewrite(const ReadResult& r, const std::filesystem::path& to,
                                  const std::vector<Point>& positions) {
-  return r.original->write_file(to, r.surface, positions, {}, nullptr);
+  return r.original->write_file(to, {r.surface, positions, {}}, {}, nullptr);
 }
 
 std::vector<Point> raised(const Surface& s, double by) {

@@ -118,6 +118,7 @@ inline std::optional<std::string> package_of(const std::string& include) {
       {"OpenMesh/", "openmesh"},
       {"glm/", "glm"},
       {"nlohmann/", "json"},
+      {"zlib.h", "zlib"},
       {"tiny_gltf", "tinygltf"},
       {"GL/", "gl"},
       {"EGL/", "gl"},
