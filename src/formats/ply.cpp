@@ -467,6 +467,10 @@ ReadResult read_ply(const Source& source) {
   SurfaceBuilder builder(source);
   TextCursor text(source, {});
   const PlyHeader header = read_ply_header(text, source, builder);
+  if (const PlyElement* const v = header.find("vertex");
+      v && v->find("packed_position") < v->properties.size())
+    throw base::Error(source.name, "this is a capture (Gaussian splats) in a compressed PLY file",
+                      "export it as PLY without compression, or as SPZ version 3");
   PlyBody body(header, source, builder, {source, header, text});
   Attributes found = body.read();
   if (header.capture() == Capture::points) builder.warn(source.name + capture_note);

@@ -32,7 +32,7 @@ inline const std::map<std::string, Room>& rooms() {
       {"blender", {{}, {}, {}, true}},
       {"python", {{"base", "sym3", "library"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {}}},
-      {"formats", {{"base", "mesh"}, {"json"}, {}}},
+      {"formats", {{"base", "mesh"}, {"json"}, {"zlib"}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {}}},
       {"sparse", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
       {"pose", {{"base", "sym3", "mesh", "formats"}, {}, {"eigen"}}},
