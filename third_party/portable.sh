@@ -45,7 +45,7 @@ copy_licences() {
   mkdir -p "$1"
   cp "$here/LICENSE" "$1/viete.txt"
   for p in libglfw3-dev libopenmesh-dev libstb-dev libimgui-dev libglm-dev libeigen3-dev libhwy-dev libcli11-dev \
-    nlohmann-json3-dev pybind11-dev libgcc-s1 fonts-inter fonts-jetbrains-mono; do
+    nlohmann-json3-dev zlib1g-dev pybind11-dev libgcc-s1 fonts-inter fonts-jetbrains-mono; do
     [ ! -r "/usr/share/doc/$p/copyright" ] || cp "/usr/share/doc/$p/copyright" "$1/$p.txt"
   done
 }

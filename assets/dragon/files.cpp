@@ -6,11 +6,12 @@
 #include <stdexcept>
 
 namespace viete::dragon {
-namespace {
 
 void append_little_endian(std::string& bytes, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 255);
 }
+
+namespace {
 
 void append(std::string& bytes, const std::vector<Vec3>& positions) {
   for (const Vec3& p : positions) {

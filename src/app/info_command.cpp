@@ -36,6 +36,15 @@ std::string box_text(const mesh::Bounds& box) {
   return text(box.low) + " to " + text(box.high) + base::formatted(", diagonal %g", size);
 }
 
+void print(const mesh::Splats& splats) {
+  const auto faint =
+      std::ranges::count_if(splats.opacities, [](float x) { return !(x >= std::log(0.05 / 0.95)); });
+  std::printf("  splats      %zu, harmonics of degree %d\n", splats.size(), splats.degree);
+  std::printf("  opacity     below 0.05 in %.3g %% of the splats\n",
+              100 * static_cast<double>(faint) / static_cast<double>(splats.size()));
+  std::printf("  up          -y in most captures\n");
+}
+
 void print(const document::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
   std::printf("%s\n", surface.path.string().c_str());
@@ -54,6 +63,7 @@ void print(const document::OpenedSurface& surface) {
   std::printf("  area        %g\n", f.area);
   const double rounding = 1e-14 * std::pow(surface.bounds.diagonal(), 3);
   if (f.closed()) std::printf("  volume      %g\n", std::abs(f.volume) < rounding ? 0 : f.volume);
+  if (surface.splats) print(*surface.splats);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
   const auto document = document::Document(surface);
   using Check = void (*)(const document::Document&);

@@ -7,9 +7,10 @@
 
 namespace viete::formats {
 
-/// The end of a reader's warning about a capture; see Original::is_capture().
+/// The end of a reader's warning about a capture whose splats are not read; see Capture::points.
 inline constexpr const char* capture_note =
-    ": this is a capture (Gaussian splats), shown as points; it can be viewed, but not saved deformed";
+    ": this is a capture (Gaussian splats) of a kind that is only shown as points and cannot be deformed; "
+    "convert it to .ply or .spz with complete splats";
 
 // Readers can throw base::Error and base::Cancelled. If source.owner is set, they set ReadResult::original.
 
@@ -29,14 +30,19 @@ void write_obj(const Content& content, TextWriter& out);
 /// Specification: Greg Turk, The PLY polygon file format, 1994. Reads positions, faces, triangle strips, and
 /// the properties listed at PlyBody in ply.cpp. Compares the counts in the header with the file size before
 /// it allocates memory. Rewriting the file updates x y z, nx ny nz and tx ty tz of vertices, and nx ny nz of
-/// faces. All other content stays.
+/// faces. All other content stays. A capture has the vertex properties of B. Kerbl et al., 3D Gaussian
+/// Splatting for Real-Time Radiance Field Rendering, 2023: all of scale_0 to 2, rot_0 to 3 and opacity. They
+/// become splats. Missing f_dc_* are 0, and incomplete bands of f_rest_* are not read; warnings name both.
+/// Rewriting updates x y z and the splats. Normals of captures mean nothing and are ignored. Refuses
+/// compressed captures.
 ReadResult read_ply(const Source& source);
 /// Returns true if the bytes start with the PLY signature.
 bool looks_like_ply(const Source& source);
 /// Returns true if the file begins with a complete header.
 bool is_certainly_ply(const Beginning& file);
 /// Writes binary little-endian PLY with double positions, normals, colours and texture points. If any vertex
-/// has several normals, writes no normals.
+/// has several normals, writes no normals. Splats without polygons are written with the float properties that
+/// programs for captures expect, in their order: x y z nx ny nz f_dc_* f_rest_* opacity scale_* rot_*.
 void write_ply(const Content& content, TextWriter& out);
 
 /// Specification: Geomview manual, "OFF Files". Reads OFF and the variants with colours, normals or texture
@@ -82,5 +88,17 @@ void write_gltf(const Content& content, TextWriter& out);
 /// check_motion() or have no targets. `progress` may be null. Can also throw base::Cancelled.
 void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
                          base::Progress* progress);
+
+/// Specification: Niantic Labs, https://github.com/nianticlabs/spz, README, 2025. Reads versions 2 and 3,
+/// which are compressed with gzip. The axes of SPZ are right, up, back. Positions, rotations and harmonics
+/// are converted to the axes of PLY captures: right, down, forward. Opacities 0 and 1 become 0.001 and 0.999,
+/// so that logits are finite. Harmonics of the fourth degree are not read. Compares the number of splats with
+/// the file size before it allocates memory. Rewriting the file keeps the bytes of unchanged splats.
+ReadResult read_spz(const Source& source);
+/// Returns true for gzip content that begins with the signature of SPZ.
+bool looks_like_spz(const Source& source);
+bool is_certainly_spz(const Beginning& file);
+/// Writes version 3 with the most precise positions that fit in 24 bits. content.splats must not be null.
+void write_spz(const Content& content, TextWriter& out);
 
 }  // namespace viete::formats

@@ -3,8 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <deque>
-#include <optional>
-#include <span>
 
 #include "base/error.h"
 
@@ -126,26 +124,8 @@ private:
     });
   }
 
-  // Returns the text or bytes of the value for the file, or nullopt if the value exceeds the type's range.
   std::optional<std::string_view> written(double value, std::span<char> room) const {
-    return with_type(type_, [&](auto number) -> std::optional<std::string_view> {
-      using Number = decltype(number);
-      constexpr bool whole = std::is_integral_v<Number>;
-      if (whole) {
-        value = std::round(value);
-        const double beyond = std::ldexp(1.0, std::numeric_limits<Number>::digits);
-        if (!(value >= double(std::numeric_limits<Number>::lowest()) && value < beyond)) return std::nullopt;
-      }
-      number = static_cast<Number>(value);
-      if (!std::isfinite(static_cast<double>(number))) return std::nullopt;
-      if (file_.text) {
-        if (!whole) return printed_.print(value, room);
-        const char* const end = std::to_chars(room.data(), room.data() + room.size(), number).ptr;
-        return std::string_view(room.data(), static_cast<std::size_t>(end - room.data()));
-      }
-      std::ranges::copy(bytes_of_number(number, file_.order), room.begin());
-      return std::string_view(room.data(), sizeof number);
-    });
+    return number_in_file(value, type_, {file_.text, file_.order}, printed_, room);
   }
 
   const FileVectors& vectors_;
@@ -171,14 +151,13 @@ public:
 
   std::vector<std::string> beyond_attributes() const override { return file_.beyond_attributes; }
   Companions companions() const override { return file_.companions; }
-  bool is_capture() const override { return file_.is_capture; }
+  Capture capture() const override { return file_.capture; }
 
-  std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
-                                 TextWriter& out) const override {
+  std::vector<std::string> write(const Content& content, TextWriter& out) const override {
     const Source source = this->source();
     std::deque<Changes> all;
     for (const FileVectors& vectors : file_.vectors)
-      all.emplace_back(vectors, file_, source, rest, positions, out.digits());
+      all.emplace_back(vectors, file_, source, content.surface, content.positions, out.digits());
     Rewriter rewriter(bytes_, out);
     for (;;) {
       const auto next = std::ranges::min_element(all, {}, &Changes::place);
@@ -188,7 +167,7 @@ public:
     rewriter.finish();
     double rounding = 0;
     for (const Changes& changes : all) rounding = std::max(rounding, changes.rounding());
-    std::string note = rounding_note(rounding, mesh::bounds(positions).diagonal());
+    std::string note = rounding_note(rounding, mesh::bounds(content.positions).diagonal());
     if (note.empty()) return {};
     return {std::move(note)};
   }
@@ -198,6 +177,28 @@ private:
 };
 
 }  // namespace
+
+std::optional<std::string_view> number_in_file(double value, NumberType type, const NumberForm& form,
+                                               const Printed& printed, std::span<char> room) {
+  return with_type(type, [&](auto number) -> std::optional<std::string_view> {
+    using Number = decltype(number);
+    constexpr bool whole = std::is_integral_v<Number>;
+    if (whole) {
+      value = std::round(value);
+      const double beyond = std::ldexp(1.0, std::numeric_limits<Number>::digits);
+      if (!(value >= double(std::numeric_limits<Number>::lowest()) && value < beyond)) return std::nullopt;
+    }
+    number = static_cast<Number>(value);
+    if (!std::isfinite(static_cast<double>(number))) return std::nullopt;
+    if (form.text) {
+      if (!whole) return printed.print(value, room);
+      const char* const end = std::to_chars(room.data(), room.data() + room.size(), number).ptr;
+      return std::string_view(room.data(), static_cast<std::size_t>(end - room.data()));
+    }
+    std::ranges::copy(bytes_of_number(number, form.order), room.begin());
+    return std::string_view(room.data(), sizeof number);
+  });
+}
 
 FileVectors::Places places_of_three(TextCursor& text) {
   FileVectors::Places places;

@@ -10,6 +10,8 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -66,11 +68,22 @@ struct VectorFile {
   std::vector<FileVectors> vectors = {};
   std::vector<std::string> beyond_attributes = {};  ///< see Original::beyond_attributes()
   Companions companions = {};                       ///< see Original::companions()
-  bool is_capture = false;                          ///< see Original::is_capture()
+  Capture capture = Capture::none;                  ///< see Original::capture()
 };
 
 /// Returns null if source.owner is null. If a number exceeds its type's range, writing throws base::Error.
 std::shared_ptr<const Original> original_of(const Source& source, VectorFile file);
+
+/// How numbers are written in a file.
+struct NumberForm {
+  bool text = true;
+  std::endian order = std::endian::little;  ///< byte order of binary numbers
+};
+
+/// Returns the text or bytes of a finite value for the file, or nullopt if the value exceeds the type's
+/// range. `room` must have at least 400 bytes. `printed` is for text that is not an integer.
+std::optional<std::string_view> number_in_file(double value, NumberType type, const NumberForm& form,
+                                               const Printed& printed, std::span<char> room);
 
 using ThreeWords = std::array<std::string_view, 3>;
 
@@ -110,6 +123,9 @@ public:
       out_.element_done(copied_, bytes_.size());
     }
   }
+
+  /// Leaves out the bytes before this offset that are not yet copied.
+  void skip_until(std::size_t offset) { copied_ = offset; }
 
   void finish() { copy_until(bytes_.size()); }
 

@@ -22,7 +22,8 @@ enum What : unsigned {
   polygon_colors = 1 << 4,
   normals = 1 << 5,         ///< one normal per vertex
   corner_normals = 1 << 6,  ///< several normals per vertex
-  both_colors = 1 << 7      ///< colors and polygon_colors in one file
+  both_colors = 1 << 7,     ///< colors and polygon_colors in one file
+  splats = 1 << 8           ///< Gaussian splats
 };
 }  // namespace held
 
@@ -45,6 +46,7 @@ struct Format {
   unsigned all_held = 0;  ///< a combination of held::What
 
   constexpr bool holds(held::What what) const { return (all_held & what) != 0; }
+  constexpr bool stores_only_splats() const { return all_held == held::splats; }
 };
 
 /// All formats, in the order of menus and messages.

@@ -122,7 +122,9 @@ public:
     return found;
   }
 
-  bool is_capture() const override { return is_gltf_capture(file_.document); }
+  Capture capture() const override {
+    return is_gltf_capture(file_.document) ? Capture::points : Capture::none;
+  }
 
   std::vector<fs::path> files_beside() const override {
     std::vector<fs::path> files;
@@ -132,34 +134,34 @@ public:
   }
 
   // If no position changed, copies the bytes. Otherwise writes a single file with embedded data.
-  std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
-                                 TextWriter& out) const override {
-    if (is_at_rest(rest, positions)) {
+  std::vector<std::string> write(const Content& content, TextWriter& out) const override {
+    if (copies(content)) {
       out.text(bytes_);
       return std::vector<std::string>();
     }
-    GltfRewritten result = rewritten_gltf(file_, map_, rest, positions);
+    GltfRewritten result = rewritten_gltf(file_, map_, content.surface, content.positions);
     for (std::size_t i = file_.binary ? 1 : 0; i < result.buffers.size(); ++i) embed(result, i);
     put(result, file_.binary, out);
     return std::move(result.notes);
   }
 
-  std::vector<std::string> write_file(const fs::path& path, const mesh::Surface& rest,
-                                      std::span<const mesh::Point> positions, Digits,
+  std::vector<std::string> write_file(const fs::path& path, const Content& content, Digits,
                                       base::Progress* progress) const override {
     const bool binary = extension_of(path) == "glb";
-    if (file_.binary == binary && has_no_external_files() && is_at_rest(rest, positions)) {
+    if (file_.binary == binary && has_no_external_files() && copies(content)) {
       base::replace_file(path, bytes_);
       return {};
     }
-    return write_result(path, rewritten_gltf(file_, map_, rest, positions), progress);
+    return write_result(path, rewritten_gltf(file_, map_, content.surface, content.positions), progress);
   }
 
-  std::vector<std::string> write_animated(const fs::path& path, const mesh::Surface& rest,
-                                          std::span<const mesh::Point> positions, const MorphMotion& motion,
+  std::vector<std::string> write_animated(const fs::path& path, const Content& content,
+                                          const MorphMotion& motion,
                                           base::Progress* progress) const override {
+    const mesh::Surface& rest = content.surface;
     check_motion(motion, rest.positions.size());
-    return write_result(path, rewritten_gltf(file_, map_, rest, positions, &motion, progress), progress);
+    return write_result(path, rewritten_gltf(file_, map_, rest, content.positions, &motion, progress),
+                        progress);
   }
 
   std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
@@ -182,9 +184,7 @@ private:
     return std::move(result.notes);
   }
 
-  bool is_at_rest(const mesh::Surface& rest, std::span<const mesh::Point> positions) const {
-    return !bytes_.empty() && std::ranges::equal(rest.positions, positions);
-  }
+  bool copies(const Content& content) const { return !bytes_.empty() && content.is_at_rest(); }
 
   bool has_no_external_files() const {
     return std::ranges::none_of(file_.buffers,

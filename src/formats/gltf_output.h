@@ -12,7 +12,7 @@
 
 namespace viete::formats {
 
-/// Returns true if the document has Gaussian splats; see Original::is_capture().
+/// Returns true if the document has Gaussian splats; see Original::capture().
 bool is_gltf_capture(const GltfJson& document);
 
 /// Returns an original that writes .gltf and .glb. If several nodes use a moved mesh, each node gets a

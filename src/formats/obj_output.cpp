@@ -251,10 +251,9 @@ public:
 
   Companions companions() const override { return companions_; }
 
-  std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
-                                 TextWriter& out) const override {
+  std::vector<std::string> write(const Content& content, TextWriter& out) const override {
     const Source source = this->source();
-    ObjRewriter rewriter(source, rest, positions, out);
+    ObjRewriter rewriter(source, content.surface, content.positions, out);
     if (attributes_ && !attributes_->corner_normal.empty())
       rewriter.with_normals(*attributes_, normal_blocks_);
     rewriter.run();

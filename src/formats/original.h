@@ -68,6 +68,13 @@ struct Companions {
   std::vector<std::filesystem::path> files;  ///< absolute paths; some files can be missing
 };
 
+/// What a file stores of Gaussian splats.
+enum class Capture {
+  none,    ///< the file is not a capture
+  points,  ///< a capture whose splats are not read: can be viewed as points, but not deformed
+  splats   ///< ReadResult::splats
+};
+
 /// A file that was read. Each format has a subclass. Immutable and thread-safe.
 class Original {
 public:
@@ -84,9 +91,7 @@ public:
   /// Names the content that only this file format stores: "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
-  /// True for a capture (Gaussian splats). Its vertices have sizes, rotations and colours that depend on the
-  /// direction. They should follow a deformation, but they do not.
-  virtual bool is_capture() const { return false; }
+  virtual Capture capture() const { return Capture::none; }
 
   /// The external files that write_file() copies.
   virtual Companions companions() const { return {}; }
@@ -94,23 +99,20 @@ public:
   /// All external files to which the file refers. Some files can be missing.
   virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
 
-  /// Writes the whole file with new values for positions that differ from `rest`, and for the normals and
-  /// tangents that depend on these positions. `rest` is the surface read from the file. Returns messages for
-  /// the user, one line each. Can throw base::Error and base::Cancelled.
-  virtual std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
-                                         TextWriter& out) const = 0;
+  /// Writes the whole file with new values for positions that differ from content.surface, and for the
+  /// normals and tangents that depend on these positions; for a capture, also for splats that differ from the
+  /// file. content.surface is the surface read from the file; attributes and comments are ignored. Returns
+  /// messages for the user, one line each. Can throw base::Error and base::Cancelled.
+  virtual std::vector<std::string> write(const Content& content, TextWriter& out) const = 0;
 
   /// Works like write(), and replaces an existing file atomically. Also writes external buffers, and copies
   /// companions that are missing in the new folder. `progress` may be null.
-  virtual std::vector<std::string> write_file(const std::filesystem::path& path, const mesh::Surface& rest,
-                                              std::span<const mesh::Point> positions, Digits digits,
-                                              base::Progress* progress) const;
+  virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Content& content,
+                                              Digits digits, base::Progress* progress) const;
 
   /// Works like write_file(), and adds morph targets. `motion` must pass check_motion(). If the format has no
   /// morph targets, throws base::Error.
-  virtual std::vector<std::string> write_animated(const std::filesystem::path& path,
-                                                  const mesh::Surface& rest,
-                                                  std::span<const mesh::Point> positions,
+  virtual std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                                   const MorphMotion& motion, base::Progress* progress) const;
 
   /// Returns the morph animation, or null if there are no targets. For invalid data, throws base::Error.

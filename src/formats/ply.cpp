@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "formats/file_vectors.h"
+#include "formats/ply_capture.h"
 #include "formats/ply_file.h"
 #include "mesh/point_index.h"
 
@@ -66,6 +67,9 @@ public:
 
   // Returns the vectors that can change when the file is written again. Call this after read().
   std::vector<FileVectors> take_vectors() { return std::move(vectors_); }
+  // Returns the splats, or null without splats. Call this after read().
+  std::shared_ptr<const mesh::Splats> splats() const { return splats_; }
+  std::size_t first_row() const { return first_row_; }
 
 private:
   // The destinations of a property: (*places)[row][axis] gets the offset of the value, *number gets
@@ -167,11 +171,16 @@ private:
     for (const std::size_t axis : axes)
       if (axis == element.properties.size() || element.properties[axis].list_size)
         throw base::Error(source_.name, "element vertex lacks x, y or z", "export the model again");
-    record(element, FileVectors::Kind::positions, {"x", "y", "z"});
-    record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
-    record(element, FileVectors::Kind::tangents, {"tx", "ty", "tz"});
+    const bool capture = header_.capture() == Capture::splats;
+    if (capture) {
+      start_splats(element);
+    } else {
+      record(element, FileVectors::Kind::positions, {"x", "y", "z"});
+      record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
+      record(element, FileVectors::Kind::tangents, {"tx", "ty", "tz"});
+    }
     builder_.surface().positions.reserve(element.count);
-    const bool normals = find(element, {"nx", "ny", "nz"}, normal_.data());
+    const bool normals = !capture && find(element, {"nx", "ny", "nz"}, normal_.data());
     const bool colors = find_colors(element) || find_colors(element, "diffuse_");
     bool texture = false;
     for (const auto& [u, v] :
@@ -183,6 +192,8 @@ private:
       const auto axis = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), p) - axes.begin());
       if (axis < 3) {
         point[axis] = values_.coordinate(property.type);
+      } else if (!splat_columns_.empty() && splat_columns_[p].first) {
+        splat_columns_[p][builder_.vertex_count()] = static_cast<float>(values_.value(property.type));
       } else {
         take(property, p);
       }
@@ -192,6 +203,20 @@ private:
       if (texture) found_.texture_points.push_back(texture_);
       if (colors) found_.colors.push_back(color());
     });
+  }
+
+  // Allocates the splats. Reads them from a binary file; rows() reads them from text.
+  void start_splats(const PlyElement& element) {
+    values_.start_row(element.name, 0);
+    first_row_ = values_.place();
+    const PlySplats found(element);
+    for (const std::string& note : found.notes) builder_.warn(source_.name + ": " + note);
+    splats_ = std::make_shared<mesh::Splats>(found.allocate(source_.name, element.count));
+    if (header_.format != PlyHeader::Format::ascii)
+      return read_splats(found, element, values_.bytes(), header_.order(), *splats_);
+    splat_columns_.resize(element.properties.size() + 1);
+    const auto columns = splat_columns(*splats_);
+    for (std::size_t c = 0; c < columns.size(); ++c) splat_columns_[found.properties[c]] = columns[c];
   }
 
   // Reads binary rows of equal length on all processors. If rows differ in length or a value is invalid,
@@ -414,7 +439,10 @@ private:
   SurfaceBuilder& builder_;
   PlyValues values_;
   std::vector<FileVectors> vectors_;
-  std::vector<Column> columns_;  // one per property of the current element
+  std::shared_ptr<mesh::Splats> splats_;
+  std::vector<SplatColumn<float>> splat_columns_;  // for each property of a text file
+  std::size_t first_row_ = 0;                      // offset of the first vertex of a capture
+  std::vector<Column> columns_;                    // one per property of the current element
   std::size_t vertex_count_ = 0;
   NumberType index_type_ = NumberType::int32;
   // The next five members belong to the current row.
@@ -431,81 +459,6 @@ private:
   std::vector<Group> groups_;
 };
 
-// If any vertex has several texture points, writes texture points for faces, otherwise for vertices.
-class PlyOutput {
-public:
-  PlyOutput(const Content& content, TextWriter& out)
-      : s_(content.surface), positions_(content.positions), a_(content.given()), out_(out) {
-    if (!a_.corner_normal.empty()) normals_ = one_a_vertex(s_, a_.corner_normal);
-    if (!a_.corner_texture.empty()) texture_ = one_a_vertex(s_, a_.corner_texture);
-    faces_textured_ = !a_.corner_texture.empty() && !texture_;
-    // The length of a list is one byte. Lists of texture points have two numbers for each corner.
-    const std::uint32_t most = faces_textured_ ? 127 : 255;
-    for (std::size_t p = 0; p < s_.polygon_count(); ++p)
-      large_ |= s_.polygon_starts[p + 1] - s_.polygon_starts[p] > most;
-  }
-
-  void header() {
-    const char* const length = large_ ? "uint" : "uchar";
-    out_.text("element vertex ").number(std::uint64_t{positions_.size()});
-    out_.text("\nproperty double x\nproperty double y\nproperty double z\n");
-    if (normals_) out_.text("property float nx\nproperty float ny\nproperty float nz\n");
-    if (!a_.colors.empty()) color_header();
-    if (texture_) out_.text("property float s\nproperty float t\n");
-    out_.text("element face ").number(std::uint64_t{s_.polygon_count()});
-    out_.text("\nproperty list ").text(length).text(" uint vertex_indices\n");
-    if (faces_textured_) out_.text("property list ").text(length).text(" float texcoord\n");
-    if (!a_.polygon_colors.empty()) color_header();
-    out_.text("end_header\n");
-  }
-
-  void vertex(std::size_t v) {
-    for (const double x : positions_[v]) out_.little_endian(x);
-    if (normals_) floats((*normals_)[v] == mesh::none ? mesh::Vec3{0, 0, 0} : a_.normals[(*normals_)[v]]);
-    if (!a_.colors.empty()) color(a_.colors[v]);
-    if (texture_) texture_point((*texture_)[v]);
-  }
-
-  void face(std::uint32_t p) {
-    const std::uint32_t begin = s_.polygon_starts[p], end = s_.polygon_starts[p + 1];
-    length(end - begin);
-    for (auto c = begin; c < end; ++c) out_.little_endian(s_.corners[c]);
-    if (faces_textured_) {
-      length(2 * (end - begin));
-      for (auto c = begin; c < end; ++c) texture_point(a_.corner_texture[c]);
-    }
-    if (!a_.polygon_colors.empty()) color(a_.polygon_colors[p]);
-  }
-
-private:
-  void color_header() {
-    for (const char* name : {"red", "green", "blue", "alpha"})
-      out_.text("property uchar ").text(name).text("\n");
-  }
-
-  void color(const Color& color) {
-    for (const float x : color) out_.little_endian(color_byte(x));
-  }
-
-  template <class Vector>
-  void floats(const Vector& vector) {
-    for (const double x : vector) out_.little_endian(static_cast<float>(x));
-  }
-
-  void texture_point(std::uint32_t t) { floats(t == mesh::none ? Vec2{0, 0} : a_.texture_points[t]); }
-
-  void length(std::uint32_t n) {
-    large_ ? out_.little_endian(n) : out_.little_endian(static_cast<std::uint8_t>(n));
-  }
-
-  const mesh::Surface& s_;
-  std::span<const mesh::Point> positions_;
-  const Attributes& a_;
-  TextWriter& out_;
-  std::optional<std::vector<std::uint32_t>> normals_, texture_;
-  bool faces_textured_ = false, large_ = false;
-};
-
 }  // namespace
 
 ReadResult read_ply(const Source& source) {
@@ -514,19 +467,32 @@ ReadResult read_ply(const Source& source) {
   SurfaceBuilder builder(source);
   TextCursor text(source, {});
   const PlyHeader header = read_ply_header(text, source, builder);
+  if (const PlyElement* const v = header.find("vertex");
+      v && v->find("packed_position") < v->properties.size())
+    throw base::Error(source.name, "this is a capture (Gaussian splats) in a compressed PLY file",
+                      "export it as PLY without compression, or as SPZ version 3");
   PlyBody body(header, source, builder, {source, header, text});
   Attributes found = body.read();
-  if (header.is_capture()) builder.warn(source.name + capture_note);
+  if (header.capture() == Capture::points) builder.warn(source.name + capture_note);
   constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
   ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
-  VectorFile file{"PLY",
-                  header.format == PlyHeader::Format::ascii,
-                  header.order(),
-                  body.take_vectors(),
-                  header.beyond_attributes(),
-                  {source.folder, {}}};
+  const bool is_text = header.format == PlyHeader::Format::ascii;
+  if (const auto splats = body.splats()) {
+    const PlyElement& vertices = *header.find("vertex");
+    result.splats = splats;
+    result.original = original_of_capture(source, {{is_text, header.order()},
+                                                   vertices,
+                                                   PlySplats(vertices),
+                                                   body.first_row(),
+                                                   splats,
+                                                   header.beyond_attributes()});
+    if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
+    return result;
+  }
+  VectorFile file{
+      "PLY", is_text, header.order(), body.take_vectors(), header.beyond_attributes(), {source.folder, {}}};
   for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
-  file.is_capture = header.is_capture();
+  file.capture = header.capture();
   result.original = original_of(source, std::move(file));
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   return result;
@@ -549,22 +515,6 @@ bool is_certainly_ply(const Beginning& file) {
     if (word == "end_header") return has_format;
   }
   return false;
-}
-
-void write_ply(const Content& content, TextWriter& out) {
-  out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", content.comments);
-  PlyOutput output(content, out);
-  output.header();
-  const std::size_t polygons = content.surface.polygon_count(), all = content.positions.size() + polygons;
-  std::size_t done = 0;
-  for (std::size_t v = 0; v < content.positions.size(); ++v) {
-    output.vertex(v);
-    out.element_done(++done, all);
-  }
-  for (std::uint32_t p = 0; p < polygons; ++p) {
-    output.face(p);
-    out.element_done(++done, all);
-  }
 }
 
 }  // namespace viete::formats

@@ -79,6 +79,11 @@ void check_room(const PlyHeader& header, const TextCursor& text, const Source& s
   }
 }
 
+bool is_of_splats(std::string_view property) {
+  const auto names = {"f_dc_", "f_rest_", "scale_", "rot_", "opacity"};
+  return std::ranges::any_of(names, [&](std::string_view name) { return property.starts_with(name); });
+}
+
 // Reads a line of the header. At the end of the header, returns false.
 bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
   const std::string_view word = text.word();
@@ -133,10 +138,19 @@ const PlyElement* PlyHeader::find(const std::string& name) const {
 }
 
 // After B. Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023.
-bool PlyHeader::is_capture() const {
+Capture PlyHeader::capture() const {
   const PlyElement* vertices = find("vertex");
+  if (!vertices) return Capture::none;
   const auto has = [&](const char* name) { return vertices->find(name) < vertices->properties.size(); };
-  return vertices && (has("scale_0") || has("rot_0") || has("f_rest_0"));
+  if (!has("scale_0") && !has("rot_0") && !has("f_rest_0")) return Capture::none;
+  const auto all = {"scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3", "opacity"};
+  const bool lists =
+      std::ranges::any_of(vertices->properties, [](const PlyProperty& p) { return p.list_size.has_value(); });
+  const bool faces = std::ranges::any_of(elements, [](const PlyElement& e) {
+    return e.count > 0 && (e.name == "face" || e.name == "tristrips");
+  });
+  const bool complete = std::ranges::all_of(all, has) && !lists && !faces && vertices->count > 0;
+  return complete ? Capture::splats : Capture::points;
 }
 
 std::vector<std::string> PlyHeader::beyond_attributes() const {
@@ -146,6 +160,7 @@ std::vector<std::string> PlyHeader::beyond_attributes() const {
   constexpr std::string_view of_faces =
       " vertex_indices vertex_index red green blue alpha texcoord texnumber ";
   std::vector<std::string> found;
+  const bool splats = capture() == Capture::splats;
   if (has_comments) found.emplace_back("comments");
   if (has_obj_info) found.emplace_back("obj_info");
   for (const PlyElement& element : elements) {
@@ -156,7 +171,8 @@ std::vector<std::string> PlyHeader::beyond_attributes() const {
       continue;
     }
     for (const PlyProperty& p : element.properties)
-      if ((vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
+      if (!(vertices && splats && is_of_splats(p.name)) &&
+          (vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
         found.push_back("property " + p.name + " of " + element.name);
   }
   return found;

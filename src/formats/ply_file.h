@@ -46,7 +46,7 @@ struct PlyHeader {
 
   std::endian order() const { return format == Format::big_endian ? std::endian::big : std::endian::little; }
   const PlyElement* find(const std::string& name) const;
-  bool is_capture() const;  ///< see Original::is_capture()
+  Capture capture() const;
   /// Names the content that Attributes does not store; see Original::beyond_attributes().
   std::vector<std::string> beyond_attributes() const;
 };

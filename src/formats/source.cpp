@@ -41,7 +41,8 @@ struct Signature {
 };
 
 constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"sv,
-               export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
+               export_it = "export it as OBJ, PLY, OFF, STL, glTF or SPZ from a program that opens it"sv,
+               export_splats = "export it as PLY without compression, or as SPZ version 3"sv,
                download = "download the model file, not the web page about it"sv;
 
 // File types that start with Signature::begins, in upper or lower case.
@@ -89,6 +90,7 @@ constexpr Signature signatures[] = {
     {"\x7F"
      "ELF"sv,
      "a program (ELF)"sv, "open a model file"sv},
+    {"NGSP"sv, "a capture (Gaussian splats) in SPZ version 4 or later"sv, export_splats},
     {"DRACO"sv, "a Draco file"sv, export_it},
     {"POINTCACHE2"sv, "a point cache (PC2), animated positions of a model"sv,
      "open its model first, then import the cache as keys"sv},
@@ -107,6 +109,13 @@ constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
                                   {"<svg"sv, "a drawing (SVG)"sv, export_it},
                                   {"<html"sv, "a web page"sv, download},
                                   {"<Error"sv, "an error message of a server"sv, download}};
+
+// Captures whose kind is known only by the extension. Some are zip archives.
+constexpr Signature captures[] = {
+    {"splat"sv, "a capture (Gaussian splats) in a .splat file"sv, export_splats},
+    {"ksplat"sv, "a capture (Gaussian splats) in a .ksplat file"sv, export_splats},
+    {"sog"sv, "a capture (Gaussian splats) in a .sog file"sv, export_splats},
+    {"lcc"sv, "a capture (Gaussian splats) in an .lcc file"sv, export_splats}};
 
 bool begins(std::string_view bytes, std::string_view signature) {
   return lower_case(bytes.substr(0, signature.size())) == lower_case(signature);
@@ -220,8 +229,10 @@ void refuse_foreign(const std::string& name, std::string_view bytes) {
   if (bytes.find_first_not_of('\0') == std::string_view::npos)
     throw base::Error(name, "the file contains only zero bytes, probably after an interrupted write",
                       "export or copy it again");
-  if (const Signature* is = signature_of(bytes))
-    throw base::Error(name, "this is " + std::string(is->what), std::string(is->advice));
+  const Signature* is = signature_of(bytes);
+  const auto capture = std::ranges::find(captures, extension_of(name), &Signature::begins);
+  if (capture != std::end(captures) && (!is || bytes.starts_with("PK"))) is = capture;
+  if (is) throw base::Error(name, "this is " + std::string(is->what), std::string(is->advice));
 }
 
 bool looks_binary(std::string_view bytes) {

@@ -2,6 +2,7 @@
 // file. Checks positions before writing. The locale has no effect.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -38,13 +39,20 @@ struct Content {
   std::span<const mesh::Point> positions;  ///< these positions are written, not surface.positions
   const std::vector<std::string>& comments;
   const Attributes* attributes = nullptr;  ///< attributes of the surface; may be null
-  const mesh::Splats* splats = nullptr;    ///< the posed splats of a capture; null for other models
+  /// The posed splats of a capture, one per position. If null, only an unmoved capture can be written.
+  const mesh::Splats* splats = nullptr;
+  /// For a capture: the vertex of `surface` from which each written vertex takes its other properties. If
+  /// empty, each vertex takes its own.
+  std::span<const std::uint32_t> sources = {};
 
   /// Returns *attributes, or empty attributes for null.
   const Attributes& given() const {
     static const Attributes nothing;
     return attributes ? *attributes : nothing;
   }
+
+  /// Returns true if there is nothing to change in the file of `surface`.
+  bool is_at_rest() const { return sources.empty() && std::ranges::equal(surface.positions, positions); }
 };
 
 /// Sends bytes to the sink in portions, so that a large file is never completely in memory.

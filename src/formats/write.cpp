@@ -72,6 +72,9 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   constexpr std::size_t most = 12;
   std::vector<std::string> names, notes;
   if (content.attributes) names = names_of_left_out(format, content.surface, *content.attributes, deformed);
+  const bool capture = content.splats || (original && original->capture() != Capture::none);
+  if (capture && !(content.splats && format.holds(held::splats)))
+    names.emplace_back("sizes, rotations, opacities and colours of splats");
   if (original) std::ranges::move(original->beyond_attributes(), std::back_inserter(names));
   if (!names.empty())
     notes.push_back("left out of the " + std::string(format.name) +
@@ -85,9 +88,17 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
   Attributes now;
-  if (content.attributes) now = deformed_attributes(content.surface, content.positions, *content.attributes);
+  if (content.attributes && content.sources.empty())
+    now = deformed_attributes(content.surface, content.positions, *content.attributes);
   notes = left_out(format, content, now, original);
   return now;
+}
+
+[[noreturn]] void refuse_splats(const fs::path& file) {
+  throw base::Error(file.string(),
+                    "the model is a capture (Gaussian splats), whose sizes, rotations and colours would not "
+                    "follow the deformation",
+                    "convert the capture to .ply or .spz with complete splats in another program");
 }
 
 // Copies external files to the folder of the new file. Adds the copies to `written`. Does not copy files
@@ -135,17 +146,23 @@ void write(const std::filesystem::path& path, const mesh::Surface& surface,
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress) {
   check_written(path.string(), content.positions);
-  if (!std::ranges::equal(content.positions, content.surface.positions)) check_deformable(path, original);
-  if (writes_itself(original, path))
-    return original->write_file(path, content.surface, content.positions, digits, progress);
+  if (!content.is_at_rest()) {
+    check_deformable(path, original);
+    if (original && original->capture() != Capture::none && !content.splats) refuse_splats(path);
+  }
+  if (writes_itself(original, path)) return original->write_file(path, content, digits, progress);
   const Format& format = surface_format(path);
-  if (!format.holds(held::points) && content.surface.triangles.empty())
+  if (format.stores_only_splats() && !content.splats)
+    throw base::Error(path.string(),
+                      std::string(format.name) + " stores only Gaussian splats, and the model has no splats",
+                      "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
+  if (!format.holds(held::points) && !format.stores_only_splats() && content.surface.triangles.empty())
     throw base::Error(path.string(),
                       std::string(format.name) + " stores only triangles, and the model has no triangles",
                       "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   std::vector<std::string> notes;
   const Attributes now = converted(format, content, original, notes);
-  const Content what{content.surface, content.positions, content.comments, &now};
+  const Content what{content.surface, content.positions, content.comments, &now, content.splats};
   write_as(path, digits, progress, [&](TextWriter& out) { format.write(what, out); });
   return notes;
 }
@@ -158,11 +175,12 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
     throw base::Error(path.string(), "this format cannot store morph targets",
                       "save as " + format_extensions(holds_morphs));
   check_motion(motion, content.surface.positions.size());
-  check_deformable(path, original);
+  if (content.splats || (original && original->capture() != Capture::none))
+    throw base::Error(path.string(), "morph targets cannot store the motion of a capture (Gaussian splats)",
+                      "save numbered files instead: frame_####.ply");
   check_written(path.string(), content.positions);
   std::vector<std::string> notes;
-  if (writes_itself(original, path))
-    return original->write_animated(path, content.surface, content.positions, motion, progress);
+  if (writes_itself(original, path)) return original->write_animated(path, content, motion, progress);
   const Attributes now = converted(format, content, original, notes);
   const Content what{content.surface, content.positions, content.comments, &now};
   write_as(path, {}, nullptr, [&](TextWriter& out) {
@@ -172,12 +190,7 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
 }
 
 void check_deformable(const fs::path& file, const Original* original) {
-  if (original && original->is_capture())
-    throw base::Error(
-        file.string(),
-        "the model is a capture (Gaussian splats), whose sizes, rotations and colours would not "
-        "follow the deformation",
-        "convert the capture to a mesh in another program, and deform the mesh");
+  if (original && original->capture() == Capture::points) refuse_splats(file);
 }
 
 void check_keeps_vertices(const std::filesystem::path& path) {
@@ -187,16 +200,14 @@ void check_keeps_vertices(const std::filesystem::path& path) {
                     "save as " + format_extensions(keeps_order));
 }
 
-std::vector<std::string> Original::write_file(const std::filesystem::path& path, const mesh::Surface& rest,
-                                              std::span<const mesh::Point> positions, Digits digits,
-                                              base::Progress* progress) const {
+std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Content& content,
+                                              Digits digits, base::Progress* progress) const {
   std::vector<fs::path> copies;
   std::vector<std::string> notes;
   try {
     notes = copy_companions(path, companions(), copies);
-    write_as(path, digits, progress, [&](TextWriter& out) {
-      std::ranges::move(write(rest, positions, out), std::back_inserter(notes));
-    });
+    write_as(path, digits, progress,
+             [&](TextWriter& out) { std::ranges::move(write(content, out), std::back_inserter(notes)); });
   } catch (...) {
     std::error_code ignored;
     for (const fs::path& copy : copies) fs::remove(copy, ignored);
@@ -205,9 +216,8 @@ std::vector<std::string> Original::write_file(const std::filesystem::path& path,
   return notes;
 }
 
-std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const mesh::Surface&,
-                                                  std::span<const mesh::Point>, const MorphMotion&,
-                                                  base::Progress*) const {
+std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const Content&,
+                                                  const MorphMotion&, base::Progress*) const {
   throw base::Error(path.string(), "this format cannot store morph targets",
                     "save as " + format_extensions(holds_morphs));
 }

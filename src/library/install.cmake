@@ -12,6 +12,7 @@ foreach(room IN LISTS rooms)
 endforeach()
 set_property(TARGET viete_mesh APPEND PROPERTY INTERFACE_LINK_LIBRARIES $<INSTALL_INTERFACE:OpenMeshCore>)
 set_property(TARGET viete_base APPEND PROPERTY INTERFACE_LINK_LIBRARIES $<INSTALL_INTERFACE:stb>)
+set_property(TARGET viete_formats APPEND PROPERTY INTERFACE_LINK_LIBRARIES $<INSTALL_INTERFACE:z>)
 list(TRANSFORM rooms PREPEND viete_)
 install(TARGETS viete_library ${rooms} EXPORT viete-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library

@@ -138,7 +138,13 @@ void write_mesh(const std::filesystem::path& file, const Mesh& mesh, std::vector
                     content->surface.polygon_starts == mesh.starts;
   if (notes) notes->clear();
   if (!same) return formats::write(file, surface);
-  auto losses = formats::write(file, {content->surface, surface.positions, {}, content->attributes.get()},
+  const bool rest = surface.positions == content->surface.positions;  // else splats would not follow
+  auto losses = formats::write(file,
+                               {content->surface,
+                                surface.positions,
+                                {},
+                                content->attributes.get(),
+                                rest ? content->splats.get() : nullptr},
                                content->original.get(), {});
   if (notes) *notes = std::move(losses);
 }

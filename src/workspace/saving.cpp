@@ -139,7 +139,8 @@ bool save_moved_files(Workspace& w, const fs::path& session) {
   if (!is_moved(model)) return true;
   const fs::path file = name_beside(session, model, true);
   return attempt(w, "model", file, document::the_model, [&] {
-    const formats::Content content{*model.surface, model.surface->positions, {}, model.attributes.get()};
+    const formats::Content content{
+        *model.surface, model.surface->positions, {}, model.attributes.get(), model.splats.get()};
     for (const std::string& note : formats::write(file, content, model.original.get(), {}))
       w.messages.log(Severity::warning, note);
     w.document.put_saved_model(file);

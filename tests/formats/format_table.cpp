@@ -32,7 +32,7 @@ TEST_CASE("format_rows_describe_what_a_format_keeps") {
   const test::TemporaryFolder folder;
   const Surface surface = odd_surface();
   for (const Format& format : all_formats()) {
-    if (!format.write) continue;
+    if (!format.write || format.stores_only_splats()) continue;
     CAPTURE(format.extension);
     const auto file = folder / ("a." + std::string(format.extension));
     write(file, surface);
@@ -115,16 +115,16 @@ TEST_CASE("foreign_content_is_of_no_format") {
 }
 
 TEST_CASE("lists_of_formats_contain_each_once") {
-  CHECK(format_names(holds_surface) == "OBJ, PLY, OFF, STL or glTF");
+  CHECK(format_names(holds_surface) == "OBJ, PLY, OFF, STL, glTF or SPZ");
   CHECK(format_extensions(is_sequence) == ".pc2 or .mdd");
-  CHECK(a_mesh() == "Mesh (OBJ, PLY, OFF, STL, glTF)");
+  CHECK(a_mesh() == "Mesh (OBJ, PLY, OFF, STL, glTF, SPZ)");
   CHECK(is_a(holds_morphs, "A.GLB"));
   CHECK_FALSE(is_a(holds_surface, "a.pc2"));
   CHECK_FALSE(is_a(holds_surface, "obj"));
   const std::string advice = "export it as " + format_names(holds_surface) + " from";
   CHECK_THROWS_WITH_AS(test::read_text("DRACO", "drc"), doctest::Contains(advice.c_str()), base::Error);
   CHECK_THROWS_WITH_AS(surface_format("a.mdd"),
-                       doctest::Contains("use .obj, .ply, .off, .stl, .glb or .gltf"), base::Error);
+                       doctest::Contains("use .obj, .ply, .off, .stl, .glb, .gltf or .spz"), base::Error);
 }
 
 TEST_CASE("desktop_entry_lists_every_format") {

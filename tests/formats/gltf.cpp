@@ -37,7 +37,7 @@ int accessor_of(const std::string& glb, std::size_t mesh, const char* attribute)
 
 std::vector<std::string> rewrite(const ReadResult& r, const std::filesystem::path& to,
                                  const std::vector<Point>& positions) {
-  return r.original->write_file(to, r.surface, positions, {}, nullptr);
+  return r.original->write_file(to, {r.surface, positions, {}}, {}, nullptr);
 }
 
 std::vector<Point> raised(const Surface& s, double by) {
@@ -111,7 +111,7 @@ TEST_CASE("unmoved_gltf_keeps_every_byte_and_key") {
     parts.json["extensions"] = {{"VENDOR_thing", {{"deep", {1, 2.5, "three"}}}}};
     const bool binary = std::string(name) == "a.glb";
     const ReadResult r = test::put_and_read(folder / name, binary ? parts.glb() : parts.text());
-    r.original->write_file(folder / (std::string("out-") + name), r.surface, r.surface.positions, {},
+    r.original->write_file(folder / (std::string("out-") + name), {r.surface, r.surface.positions, {}}, {},
                            nullptr);
     const std::string out = test::file_bytes(folder / (std::string("out-") + name));
     if (binary) {

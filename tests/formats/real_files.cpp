@@ -48,7 +48,7 @@ TEST_CASE("every_shared_file_is_recognised_and_round_trips" * doctest::test_suit
     CHECK(test::written_again(read, read.surface.positions) == test::file_bytes(path));
     if (is_odd) continue;
     const auto moved = bent(read.surface);
-    read.original->write_file(scratch / path.filename(), read.surface, moved, {}, nullptr);
+    read.original->write_file(scratch / path.filename(), {read.surface, moved, {}}, {}, nullptr);
     const ReadResult again = formats::read(scratch / path.filename());
     CHECK(again.comments == read.comments);
     CHECK(again.surface.corners == read.surface.corners);

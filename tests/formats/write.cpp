@@ -156,7 +156,7 @@ TEST_CASE("invalid_positions_are_not_written_in_any_format") {
   }
 }
 
-TEST_CASE("captures_are_named_and_only_written_unmoved") {
+TEST_CASE("captures_without_complete_splats_are_named_and_only_written_unmoved") {
   const std::string floats = "property float ", head = "ply\nformat ascii 1.0\nelement vertex 3\n" + floats +
                                                        "x\n" + floats + "y\n" + floats + "z\n";
   const std::string capture = head + floats + "opacity\n" + floats + "scale_0\n" + floats +
@@ -168,7 +168,7 @@ TEST_CASE("captures_are_named_and_only_written_unmoved") {
   for (const auto& [bytes, extension] : {std::pair(capture, "ply"), {gltf.glb(), "glb"}}) {
     const test::TemporaryFolder folder;
     const ReadResult r = test::read_kept(bytes, extension);
-    REQUIRE(r.original->is_capture());
+    REQUIRE(r.original->capture() == Capture::points);
     CHECK(std::ranges::any_of(r.warnings,
                               [](const auto& w) { return holds(w, "a capture (Gaussian splats)"); }));
     CHECK(test::written_again(r, r.surface.positions) == bytes);
@@ -180,5 +180,5 @@ TEST_CASE("captures_are_named_and_only_written_unmoved") {
     }
   }
   const ReadResult points = test::read_kept(head + "end_header\n0 0 0\n1 0 0\n0 1 0\n", "ply");
-  CHECK_FALSE(points.original->is_capture());
+  CHECK(points.original->capture() == Capture::none);
 }

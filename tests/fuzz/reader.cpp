@@ -50,7 +50,7 @@ void check_attributes(const ReadResult& read) {
 std::string written_again(const ReadResult& read, const std::vector<Point>& positions) {
   std::string all;
   TextWriter out([&](std::string_view portion) { all += portion; });
-  read.original->write(read.surface, positions, out);
+  read.original->write({read.surface, positions, {}}, out);
   out.finish();
   return all;
 }

@@ -158,7 +158,7 @@ inline std::string written_again(const formats::ReadResult& read, const std::vec
   std::string all;
   formats::TextWriter out([&](std::string_view portion) { all += portion; }, nullptr, digits);
   REQUIRE(read.original);
-  read.original->write(read.surface, positions, out);
+  read.original->write({read.surface, positions, {}}, out);
   out.finish();
   return all;
 }
