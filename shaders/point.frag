@@ -1,0 +1,11 @@
+// A disc. The smallest ones are squares, as few pixels cannot be round.
+#version 330 core
+
+flat in vec3 point_color;
+out vec4 color;
+
+void main() {
+  vec2 at = 2.0 * gl_PointCoord - 1.0;
+  if (dot(at, at) > 1.1) discard;
+  color = vec4(point_color, 1.0);
+}
