@@ -1,4 +1,4 @@
-// Vertices as discs on the screen, as large as the distance between neighbouring points.
+// Vertices as discs on the screen, large enough to close the gaps between neighbouring points.
 #version 330 core
 
 uniform usamplerBuffer vertices;  // bits of the position
@@ -22,13 +22,13 @@ void main() {
   vec4 eye = eye_from_model * vec4(position, 1.0);
   gl_Position = clip_from_eye * eye;
   if (any(isnan(position)) || any(isinf(position))) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-  gl_PointSize = clamp(spacing / gl_Position.w, 1.5 * scale, 6.0 * scale);
+  gl_PointSize = clamp(1.8 * spacing / gl_Position.w, 2.0 * scale, 6.0 * scale);
 #if defined(SCALARS)
   float at = clamp((texelFetch(scalars, gl_VertexID).r - scalar_low) * scalar_factor, 0.0, 1.0);
   point_color = textureLod(palette, vec2((0.5 + at * (palette_size - 1.0)) / palette_size, 0.5), 0.0).rgb;
 #elif defined(COLORS)
   point_color = texelFetch(colors, gl_VertexID).rgb;
 #else
-  point_color = model_color * mix(1.0, 0.25, smoothstep(depth_range.x, depth_range.y, -eye.z));
+  point_color = model_color * mix(1.0, 0.2, smoothstep(depth_range.x, depth_range.y, -eye.z));
 #endif
 }

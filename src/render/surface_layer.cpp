@@ -219,7 +219,7 @@ void SurfaceLayer::draw_points(const View& view, const Theme& theme, const Surfa
   program->set("scale", view.scale);
   const glm::mat4 to_eye = eye_matrix(view, origin_);
   const float distance = -(to_eye * glm::vec4(0.5F * (box_.low + box_.high), 1)).z;
-  const float reach = 0.5F * glm::length(glm::mat3(to_eye) * (box_.high - box_.low));
+  const float reach = 0.3F * glm::length(glm::mat3(to_eye) * (box_.high - box_.low));
   program->set("depth_range", glm::vec2(distance - reach, distance + reach));
   gl_.Enable(GL_PROGRAM_POINT_SIZE);
   gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertex_count_));
