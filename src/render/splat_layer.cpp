@@ -18,7 +18,6 @@ constexpr float least_opacity = 1.0F / 255;
 constexpr float blur = 0.3F;            // added to both variances on the screen, in squared pixels
 constexpr float widest = 1.3F;          // outside the picture, in its half size, Jacobians stay constant
 constexpr float most_deviation = 1e5F;  // in pixels; larger ones could not be squared, and fill the view
-constexpr float brightest = 4;          // colours of ellipses are stored in units of brightest / 65535
 constexpr std::size_t block = 1 << 13;
 
 // The values of real spherical harmonics of degrees 1 to `degree` in the direction d, in the order and with
@@ -110,11 +109,13 @@ struct SplatLayer::Frame {
 
 SplatLayer::SplatLayer(const Gl& gl)
     : gl_(gl),
-      blended_(gl, "splat"),
-      solid_(gl, "splat", "#define SOLID\n"),
+      blended_(gl, gl.software ? "splat_picture" : "splat"),
+      solid_(gl, gl.software ? "splat_picture" : "splat", "#define SOLID\n"),
       vertex_array_(gl),
       ellipses_(gl, GL_RGBA32UI),
-      palette_{glm::vec3(0), glm::vec3(1)} {}
+      palette_{glm::vec3(0), glm::vec3(1)},
+      colors_(gl),
+      picture_depths_(gl) {}
 
 void SplatLayer::set_looks(std::shared_ptr<const SplatLooks> looks) {
   looks_ = std::move(looks);
@@ -208,7 +209,7 @@ bool SplatLayer::project(const Frame& frame, std::size_t splat, Ellipse& ellipse
     for (glm::vec3& row : rows) row *= most_deviation / largest;
   const float a = glm::dot(rows[0], rows[0]) + blur, b = glm::dot(rows[0], rows[1]),
               c = glm::dot(rows[1], rows[1]) + blur;
-  const glm::vec2 reach = 3.0F * glm::sqrt(glm::vec2(a, c)) / frame.half;
+  const glm::vec2 reach = Ellipse::reach * glm::sqrt(glm::vec2(a, c)) / frame.half;
   if (std::abs(place.x) > 1 + reach.x || std::abs(place.y) > 1 + reach.y) return false;
 
   // The determinant without cancellation, for needles: the sum of the squared minors of the rows, and blur.
@@ -221,11 +222,11 @@ bool SplatLayer::project(const Frame& frame, std::size_t splat, Ellipse& ellipse
   axis *= std::sqrt(variance);
   const glm::vec3 color = color_of(frame, splat);
   ellipse = {{place.x, place.y, place.z},
-             stored(color.r, brightest),
-             stored(color.g, brightest),
+             stored(color.r, Ellipse::brightest),
+             stored(color.g, Ellipse::brightest),
              {axis.x, axis.y},
              std::sqrt(determinant / variance),
-             stored(color.b, brightest),
+             stored(color.b, Ellipse::brightest),
              stored(opacity, 1)};
   return true;
 }
@@ -267,22 +268,44 @@ void SplatLayer::upload() {
   ellipses_.buffer.unmap();
 }
 
+void SplatLayer::blend(glm::ivec2 size) {
+  front_to_back_.resize(visible_);
+  base::for_blocks(visible_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) front_to_back_[i] = projected_[order_[visible_ - 1 - i]];
+  });
+  picture_.blend(front_to_back_, size);
+  set_texture(gl_, 0, colors_, size.x, size.y, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
+              picture_.colors().data());
+  set_texture(gl_, 1, picture_depths_, size.x, size.y, {GL_R32F, GL_RED, GL_FLOAT}, picture_.depths().data());
+}
+
 void SplatLayer::draw(const View& view, const SurfaceStyle& style, std::size_t step) {
   if (vertices_.empty()) return;
   const Drawn wanted{view, step, style.scalars && !scalars_.empty(), style.scalar_low, style.scalar_high};
   if (drawn_ != wanted) {
     project(wanted);
-    if (visible_ > 0) upload();
+    if (gl_.software) {
+      blend(view.size);
+    } else if (visible_ > 0) {
+      upload();
+    }
     drawn_ = wanted;
   }
   if (visible_ == 0) return;
-  ellipses_.bind(0);
+  if (gl_.software) {
+    bind_texture(gl_, 0, colors_);
+    bind_texture(gl_, 1, picture_depths_);
+  } else {
+    ellipses_.bind(2);
+  }
   gl_.BindVertexArray(vertex_array_.id());
   const auto draw_all = [&](const Program& program) {
     program.use();
-    program.set("ellipses", 0);
+    program.set("ellipses", 2);
     program.set("viewport", glm::vec2(view.size));
-    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * visible_));
+    program.set("colors", 0);
+    program.set("depths", 1);
+    gl_.DrawArrays(GL_TRIANGLES, 0, gl_.software ? 3 : static_cast<GLsizei>(6 * visible_));
   };
   const BlendScope blend(gl_);
   gl_.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

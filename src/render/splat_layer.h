@@ -10,6 +10,7 @@
 
 #include "render/gl.h"
 #include "render/program.h"
+#include "render/splat_picture.h"
 #include "render/surface_layer.h"
 #include "render/view.h"
 
@@ -36,8 +37,9 @@ struct SplatLooks {
 void sort_back_to_front(std::span<const float> depths, std::vector<std::uint32_t>& order);
 
 /// Draws splats as in B. Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023.
-/// Projects and sorts the splats on the processor, when the view or the splats change. Copies all spans.
-/// Throws base::Error if a size does not match the number of splats. Not thread-safe.
+/// Projects and sorts the splats on the processor, when the view or the splats change. Instead of a software
+/// rasteriser, a SplatPicture blends them. Copies all spans. Throws base::Error if a size does not match the
+/// number of splats. Not thread-safe.
 class SplatLayer {
 public:
   explicit SplatLayer(const Gl& gl);
@@ -61,14 +63,6 @@ public:
   void draw(const View& view, const SurfaceStyle& style, std::size_t step = 1);
 
 private:
-  // A splat on the screen, in the layout of the shader.
-  struct alignas(16) Ellipse {
-    float center[3];              ///< in normalized device coordinates
-    std::uint16_t red, green;     ///< in units of 4 / 65535
-    float long_axis[2];           ///< the longer half axis, in pixels
-    float short_axis;             ///< the length of the shorter half axis, in pixels
-    std::uint16_t blue, opacity;  ///< opacity in units of 1 / 65535
-  };
   struct Frame;
   // The input of the last projection.
   struct Drawn {
@@ -83,11 +77,12 @@ private:
   bool project(const Frame& frame, std::size_t splat, Ellipse& ellipse, float& depth) const;
   glm::vec3 color_of(const Frame& frame, std::size_t splat) const;
   void upload();
+  void blend(glm::ivec2 size);
 
   const Gl& gl_;
-  Program blended_, solid_;
+  Program blended_, solid_;  // blended_: premultiplied colours; solid_: depth only
   VertexArray vertex_array_;
-  BufferTexture ellipses_;
+  BufferTexture ellipses_;  // back to front; not with a software rasteriser
   std::shared_ptr<const SplatLooks> looks_;
   std::vector<SurfaceVertex> vertices_;
   std::vector<SplatShape> shapes_;
@@ -98,7 +93,11 @@ private:
   std::vector<Ellipse> projected_;
   std::vector<float> depths_;
   std::vector<std::uint32_t> order_;
-  std::size_t visible_ = 0;     // number of uploaded ellipses
+  // Only with a software rasteriser:
+  std::vector<Ellipse> front_to_back_;
+  SplatPicture picture_;
+  Texture colors_, picture_depths_;
+  std::size_t visible_ = 0;     // number of projected ellipses
   std::optional<Drawn> drawn_;  // nullopt: the splats have changed
 };
 

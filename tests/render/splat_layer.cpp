@@ -73,10 +73,12 @@ Capture many(int degree, std::size_t count = 60) {
   return s;
 }
 
-// The reference: exact order, all pixels of all splats, in double.
+// The reference: exact order, all pixels of all splats, in double. A card's framebuffer limits colours to 1
+// after each splat; the processor does so at the end.
 class Reference {
 public:
-  Reference(const Capture& splats, const render::View& view) : s_(splats), view_(view) {}
+  Reference(const Capture& splats, const render::View& view, bool of_card)
+      : s_(splats), view_(view), most_(of_card ? 1 : 1e9) {}
 
   render::Image picture() const {
     std::vector<std::size_t> order(s_.vertices.size());
@@ -87,7 +89,8 @@ public:
     render::Image image{view_.size.x, view_.size.y, {}};
     for (const glm::dvec3& pixel : pixels)
       for (int k = 0; k < 4; ++k)
-        image.rgba.push_back(k == 3 ? 255 : static_cast<std::uint8_t>(std::lround(255 * pixel[k])));
+        image.rgba.push_back(k == 3 ? 255
+                                    : static_cast<std::uint8_t>(std::lround(255 * std::min(pixel[k], 1.0))));
     return image;
   }
 
@@ -158,16 +161,23 @@ private:
         if (square > 9) continue;
         const double alpha = std::min(0.99, s_.looks.opacities[i] * std::exp(-0.5 * square));
         glm::dvec3& pixel = pixels[static_cast<std::size_t>((view_.size.y - 1 - y) * view_.size.x + x)];
-        pixel = glm::min(alpha * c + (1 - alpha) * pixel, 1.0);
+        pixel = glm::min(alpha * c + (1 - alpha) * pixel, most_);
       }
   }
 
   const Capture& s_;
   const render::View& view_;
+  double most_;
 };
 
-struct SplatScene : test::Stage {
-  SplatScene() : layer(gl) {
+struct SplatStage : test::Stage {
+  explicit SplatStage(bool software) { gl.software = software; }
+};
+
+// If `software`, the processor blends the splats.
+template <bool software>
+struct SplatScene : SplatStage {
+  SplatScene() : SplatStage(software), layer(gl) {
     view.size = {64, 64};
     orthographic();
   }
@@ -198,6 +208,9 @@ struct SplatScene : test::Stage {
   render::SplatLayer layer;
 };
 
+using OnProcessor = SplatScene<true>;
+using OnCard = SplatScene<false>;
+
 int largest_difference(const render::Image& a, const render::Image& b) {
   int largest = 0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i)
@@ -207,13 +220,15 @@ int largest_difference(const render::Image& a, const render::Image& b) {
 
 }  // namespace
 
-TEST_CASE("splats_of_every_degree_equal_the_reference_within_four_levels_in_both_projections") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("splats_of_every_degree_equal_the_reference_within_four_levels_in_both_projections", Scene,
+                   OnProcessor, OnCard) {
+  Scene scene;
   for (const bool perspective : {false, true})
     for (const int degree : {0, 1, 2, 3}) {
       if (perspective) scene.perspective();
       const Capture splats = many(degree);
-      const render::Image drawn = scene.drawn(splats), exact = Reference(splats, scene.view).picture();
+      const render::Image drawn = scene.drawn(splats),
+                          exact = Reference(splats, scene.view, !scene.gl.software).picture();
       CAPTURE(perspective);
       CAPTURE(degree);
       CHECK(test::count_not_black(exact) > 3000);
@@ -222,8 +237,8 @@ TEST_CASE("splats_of_every_degree_equal_the_reference_within_four_levels_in_both
     }
 }
 
-TEST_CASE("single_splat_has_a_gaussian_profile_and_its_color") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("single_splat_has_a_gaussian_profile_and_its_color", Scene, OnProcessor, OnCard) {
+  Scene scene;
   scene.view.view = glm::lookAt(glm::dvec3(0, 0, 10), glm::dvec3(0), glm::dvec3(0, 1, 0));
   Capture one;
   one.add({0.09375F, 0.09375F, 0}, round_shape(1), 0.8F, {1, 0.5F, 0.25F});  // the middle of a pixel
@@ -238,8 +253,8 @@ TEST_CASE("single_splat_has_a_gaussian_profile_and_its_color") {
   CHECK(test::brightness(image.pixel(32 + 17, 31)) == 0);
 }
 
-TEST_CASE("splats_without_an_ellipse_are_not_drawn") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("splats_without_an_ellipse_are_not_drawn", Scene, OnProcessor, OnCard) {
+  Scene scene;
   CHECK(test::count_not_black(scene.drawn()) == 0);  // without looks
   CHECK(test::count_not_black(scene.drawn(Capture())) == 0);
   for (const bool perspective : {false, true}) {
@@ -260,8 +275,9 @@ TEST_CASE("splats_without_an_ellipse_are_not_drawn") {
   }
 }
 
-TEST_CASE("tiny_splats_have_the_size_of_the_blur_and_huge_ones_fill_the_view") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("tiny_splats_have_the_size_of_the_blur_and_huge_ones_fill_the_view", Scene, OnProcessor,
+                   OnCard) {
+  Scene scene;
   for (const bool perspective : {false, true}) {
     if (perspective) scene.perspective();
     Capture tiny, huge, needle;
@@ -280,8 +296,8 @@ TEST_CASE("tiny_splats_have_the_size_of_the_blur_and_huge_ones_fill_the_view") {
   }
 }
 
-TEST_CASE("bad_colors_are_clamped") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("bad_colors_are_clamped", Scene, OnProcessor, OnCard) {
+  Scene scene;
   Capture bad;
   bad.add({-3, 0, 0}, round_shape(1), 1, {not_a_number, -1, 0.5F});
   bad.add({3, 0, 0}, round_shape(1), 1, {infinite, 1e30F, 0.5F});
@@ -296,8 +312,9 @@ TEST_CASE("bad_colors_are_clamped") {
   CHECK(at(3)[1] == 255);
 }
 
-TEST_CASE("splats_are_hidden_by_nearer_surfaces_and_hide_what_is_drawn_behind_their_solid_parts") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("splats_are_hidden_by_nearer_surfaces_and_hide_what_is_drawn_behind_their_solid_parts",
+                   Scene, OnProcessor, OnCard) {
+  Scene scene;
   scene.view.view = glm::lookAt(glm::dvec3(0, 0, 10), glm::dvec3(0), glm::dvec3(0, 1, 0));
   Capture one;
   one.add({0, 0, 0}, round_shape(1), 1, {1, 0, 0});
@@ -322,8 +339,8 @@ TEST_CASE("splats_are_hidden_by_nearer_surfaces_and_hide_what_is_drawn_behind_th
   CHECK_FALSE(is_red(picture(-1, false).pixel(32 + 10, 32)));  // less than half opacity
 }
 
-TEST_CASE("scalars_replace_the_colors_by_those_of_the_palette") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("scalars_replace_the_colors_by_those_of_the_palette", Scene, OnProcessor, OnCard) {
+  Scene scene;
   Capture row;
   for (const float x : {-4.0F, 0.0F, 4.0F}) row.add({x, 0, 0}, round_shape(0.6F), 1, {1, 1, 1});
   scene.set(row);
@@ -346,8 +363,8 @@ TEST_CASE("scalars_replace_the_colors_by_those_of_the_palette") {
   CHECK_THROWS_AS(scene.layer.set_scalars(std::vector<float>(2)), base::Error);
 }
 
-TEST_CASE("splats_far_from_the_origin_look_the_same") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("splats_far_from_the_origin_look_the_same", Scene, OnProcessor, OnCard) {
+  Scene scene;
   scene.perspective();
   const Capture splats = many(2);
   const render::Image here = scene.drawn(splats);
@@ -357,8 +374,8 @@ TEST_CASE("splats_far_from_the_origin_look_the_same") {
   CHECK(test::difference(here, scene.drawn(), 2) < 0.001);
 }
 
-TEST_CASE("every_second_splat_enlarged_covers_about_the_same_area") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("every_second_splat_enlarged_covers_about_the_same_area", Scene, OnProcessor, OnCard) {
+  Scene scene;
   Capture sheet;
   for (int i = 0; i < 4096; ++i)
     sheet.add({0.1F * static_cast<float>(i % 64) - 3.2F, 0.1F * static_cast<float>(i / 64) - 3.2F, 0},
@@ -370,8 +387,8 @@ TEST_CASE("every_second_splat_enlarged_covers_about_the_same_area") {
   CHECK(test::count_not_black(scene.drawn({}, 5000)) > 0);
 }
 
-TEST_CASE("wrong_numbers_of_splats_are_rejected") {
-  SplatScene scene;
+TEST_CASE_TEMPLATE("wrong_numbers_of_splats_are_rejected", Scene, OnProcessor, OnCard) {
+  Scene scene;
   const Capture splats = many(1, 4);
   scene.set(splats);
   const std::span<const render::SplatTurn> no_turns;
