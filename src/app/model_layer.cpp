@@ -11,6 +11,7 @@
 #include "base/worker_pool.h"
 #include "formats/source.h"
 #include "mesh/normals.h"
+#include "render/upload.h"
 #include "render/view.h"
 
 namespace viete::app {
@@ -18,6 +19,8 @@ namespace viete::app {
 namespace {
 
 using mesh::none;
+
+constexpr std::size_t triangles_per_splat = 100;  // that take the time of a splat to draw
 
 class LooksMaker {
 public:
@@ -164,9 +167,73 @@ ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& att
   return LooksMaker(surface, attributes, normals, draft).make();
 }
 
+namespace {
+
+// Returns R diag(s) of the quaternion of R and the logarithms of s.
+render::SplatShape shape_of(const std::array<float, 4>& quaternion, const std::array<float, 3>& log_scales) {
+  const auto [w, x, y, z] = quaternion;
+  const float square = w * w + x * x + y * y + z * z, two = square > 0 ? 2 / square : 0;
+  render::SplatShape m{1 - two * (y * y + z * z), two * (x * y - w * z),     two * (x * z + w * y),
+                       two * (x * y + w * z),     1 - two * (x * x + z * z), two * (y * z - w * x),
+                       two * (x * z - w * y),     two * (y * z + w * x),     1 - two * (x * x + y * y)};
+  for (std::size_t i = 0; i < m.size(); ++i) m[i] *= std::exp(log_scales[i % 3]);
+  return m;
+}
+
+// The vertices whose splats are at least half opaque, or all vertices of a point set.
+std::vector<std::uint32_t> shadow_vertices(std::size_t count, const ModelSplats* capture) {
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t v = 0; v < count; ++v)
+    if (!capture || capture->looks->opacities[v] >= 0.5F) vertices.push_back(v);
+  return vertices;
+}
+
+std::vector<render::SurfaceVertex> drawn_vertices(const mesh::Point& origin,
+                                                  std::span<const mesh::Point> points) {
+  std::vector<render::SurfaceVertex> vertices;
+  vertices.reserve(points.size());
+  for (const mesh::Point& point : points) {
+    const glm::vec3 p = render::relative(point, origin);
+    vertices.push_back({{p.x, p.y, p.z}, {}});
+  }
+  return vertices;
+}
+
+}  // namespace
+
+ModelSplats splats_of(const std::shared_ptr<const mesh::Splats>& splats) {
+  constexpr float constant_harmonic = 0.28209479F;
+  auto looks = std::make_shared<render::SplatLooks>();
+  ModelSplats made;
+  const std::size_t count = splats->size();
+  looks->opacities.resize(count);
+  looks->colors.resize(count);
+  made.shapes.resize(count);
+  base::for_blocks(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      looks->opacities[i] = 1 / (1 + std::exp(-splats->opacities[i]));
+      for (std::size_t k = 0; k < 3; ++k)
+        looks->colors[i][k] = 0.5F + constant_harmonic * splats->colors[i][k];
+      made.shapes[i] = shape_of(splats->rotations[i], splats->log_scales[i]);
+    }
+  });
+  looks->harmonics = {splats, &splats->harmonics};
+  looks->degree = splats->degree;
+  made.looks = std::move(looks);
+  return made;
+}
+
 ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving) {
   ModelShading shading;
   const auto& surface = model.surface;
+  if (model.splats) {
+    shading.surface = surface;
+    shading.splats = std::make_shared<const ModelSplats>(splats_of(model.splats));
+    const std::size_t most = std::max<std::size_t>(moving / triangles_per_splat, 1);
+    shading.draft_step = (model.splats->size() + most - 1) / most;
+    return shading;
+  }
+  if (surface->triangles.empty()) shading.spacing = mesh::point_spacing(surface->positions);
   const auto& positions = surface->positions;
   std::vector<mesh::Point> normals(positions.size());
   shading.normals.resize(positions.size());
@@ -192,12 +259,25 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
 void ModelLayer::set_document(const document::Document& document, const ModelShading& shading) {
   const mesh::Surface& model = *document.model().surface;
   const ModelLooks& looks = shading.looks;
-  surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
+  capture_ = shading.splats;
+  draft_step_ = shading.draft_step;
+  spacing_ = shading.spacing;
+  splats_.set_looks(capture_ ? capture_->looks : nullptr);
+  if (capture_) {
+    surface_.set_triangles({}, 0);
+  } else {
+    surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles,
+                           model.positions.size());
+  }
   surface_.set_looks(looks.looks);
   surface_.set_occlusion(shading.occlusion);
   draft_ = shading.draft;
   const mesh::Surface& seen = draft_ ? draft_->surface : model;
-  shadow_.set_triangles(seen.triangles, seen.positions);
+  if (seen.triangles.empty()) {
+    shadow_.set_points(shadow_vertices(seen.positions.size(), capture_.get()), seen.positions);
+  } else {
+    shadow_.set_triangles(seen.triangles, seen.positions);
+  }
   if (draft_) {
     const auto& sorted = looks.draft_triangles;
     coarse_.set_triangles(sorted.empty() ? seen.triangles : sorted, seen.positions.size());
@@ -211,14 +291,20 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
 }
 
 void ModelLayer::set_rest(const document::Document& document, const ModelShading& shading) {
-  surface_.set_positions(document.model().surface->positions, shading.normals);
-  shadow_.set_positions(draft_ ? draft_->surface.positions : document.model().surface->positions);
+  const std::vector<mesh::Point>& positions = document.model().surface->positions;
+  if (capture_) {
+    const mesh::Point origin = render::origin_of(positions);
+    return set_splats(drawn_vertices(origin, positions), origin, capture_->shapes, {});
+  }
+  surface_.set_positions(positions, shading.normals);
+  shadow_.set_positions(draft_ ? draft_->surface.positions : positions);
   if (!draft_) return;
   coarse_.set_positions(draft_->surface.positions,
                         mesh::picked(std::span(shading.normals), draft_->vertices));
 }
 
 void ModelLayer::set_model(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
+  if (capture_) return set_splats(vertices, origin, capture_->shapes, {});
   surface_.set_vertices(vertices, origin);
   if (draft_) return set_draft(mesh::picked(vertices, draft_->vertices), origin);
   shadow_.set_vertices(vertices, origin);
@@ -241,6 +327,11 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
   std::vector<float> scalars;
   if (wanted.by_mask) scalars = wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f);
   if (!wanted.by_mask && wanted.field) scalars = *wanted.field;
+  if (capture_) {
+    splats_.set_palette(palette);
+    splats_.set_scalars(scalars);
+    return true;
+  }
   surface_.set_palette(palette);
   surface_.set_scalars(scalars);
   if (draft_) {
@@ -248,6 +339,14 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
     coarse_.set_scalars(mesh::picked(std::span(std::as_const(scalars)), draft_->vertices));
   }
   return true;
+}
+
+void ModelLayer::draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style,
+                      bool coarse) {
+  if (capture_) return splats_.draw(view, style, coarse ? draft_step_ : 1);
+  render::SurfaceStyle of_points = style;
+  of_points.spacing = static_cast<float>(spacing_);
+  (coarse && draft_ ? coarse_ : surface_).draw(view, theme, of_points);
 }
 
 void ModelLayer::span(render::SurfaceStyle& style, const workspace::FieldView& shown) const {

@@ -10,10 +10,12 @@
 #include "analysis/field.h"
 #include "formats/attributes.h"
 #include "mesh/drawing.h"
+#include "mesh/splats.h"
 #include "mesh/surface.h"
 #include "pose/rows.h"
 #include "render/mark_layers.h"
 #include "render/shadow_layer.h"
+#include "render/splat_layer.h"
 #include "render/surface_layer.h"
 #include "weights/binding.h"
 #include "workspace/workspace.h"
@@ -36,6 +38,16 @@ struct ModelLooks {
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals, const mesh::Draft* draft = nullptr);
 
+/// The splats of a capture at rest.
+struct ModelSplats {
+  std::shared_ptr<const render::SplatLooks> looks;
+  std::vector<render::SplatShape> shapes;
+};
+
+/// Converts the splats of a capture. The result shares the harmonics. Quaternions of length 0 are no
+/// rotation. Thread-safe.
+ModelSplats splats_of(const std::shared_ptr<const mesh::Splats>& splats);
+
 /// Data for drawing a model, computed once per model.
 struct ModelShading {
   std::shared_ptr<const mesh::Surface> surface;  ///< the model, or null
@@ -43,21 +55,33 @@ struct ModelShading {
   std::vector<float> occlusion;                  ///< see mesh/drawing.h
   ModelLooks looks;                              ///< empty if the file has no materials
   std::shared_ptr<const mesh::Draft> draft;      ///< to draw in motion; null: draw the model itself
+  std::shared_ptr<const ModelSplats> splats;     ///< null if the model is not a capture
+  std::size_t draft_step = 1;  ///< in motion, draws every draft_step-th splat; 1 without splats
+  double spacing = 0;          ///< without triangles: see mesh::point_spacing()
+
+  bool has_draft() const { return draft || draft_step > 1; }
 };
 
-/// If the model has more than `moving` triangles, adds a draft. Takes linear time on all processors,
-/// plus the time to decode images. Thread-safe.
+/// If the model has more than `moving` triangles, or a capture more than a fraction of it, adds a draft.
+/// Takes linear time on all processors, plus the time to decode images. Thread-safe.
 ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving);
 
 class ModelLayer {
 public:
-  explicit ModelLayer(const render::Gl& gl) : surface_(gl), coarse_(gl), shadow_(gl) {}
+  explicit ModelLayer(const render::Gl& gl) : surface_(gl), coarse_(gl), splats_(gl), shadow_(gl) {}
 
   /// Sets the model of the document, at rest.
   void set_document(const document::Document& document, const ModelShading& shading);
   void set_rest(const document::Document& document, const ModelShading& shading);
   /// Sets the deformed vertices, relative to origin.
   void set_model(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin);
+  /// Sets the deformed splats of a capture, relative to origin. See render::SplatLayer.
+  void set_splats(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin,
+                  std::span<const render::SplatShape> shapes, std::span<const render::SplatTurn> turns) {
+    splats_.set_splats(vertices, origin, shapes, turns);
+    shadow_.set_vertices(vertices, origin);
+  }
+  bool is_capture() const { return capture_ != nullptr; }
   /// Sets the deformed vertices of the draft. There must be a draft.
   void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
     coarse_.set_vertices(vertices, origin);
@@ -74,9 +98,7 @@ public:
 
   /// If `coarse`, draws the draft.
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style,
-            bool coarse) const {
-    (coarse && draft_ ? coarse_ : surface_).draw(view, theme, style);
-  }
+            bool coarse);
   void draw_shadow(const render::View& view, const render::Theme& theme, const render::ShadowStyle& style) {
     shadow_.draw(view, theme, style);
   }
@@ -84,7 +106,11 @@ public:
 private:
   std::shared_ptr<const mesh::Draft> draft_;
   render::SurfaceLayer surface_, coarse_;  // coarse_: the draft; empty without a draft
-  render::ShadowLayer shadow_;             // the shadow of the draft or, without a draft, of the model
+  render::SplatLayer splats_;              // empty if the model is not a capture
+  std::shared_ptr<const ModelSplats> capture_;
+  std::size_t draft_step_ = 1;
+  double spacing_ = 0;
+  render::ShadowLayer shadow_;  // the shadow of the draft or, without a draft, of the model
   std::size_t vertices_ = 0;
   // The input of the current colours.
   struct Colored {

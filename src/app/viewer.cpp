@@ -497,7 +497,7 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (view_cache_.shows(wanted)) return view_cache_.fineness();
   last_change_ = base::wall_seconds();
   if (model_.shows_draft(workspace_.document)) return Fineness::coarse;
-  const bool drafted = shading_.draft != nullptr;
+  const bool drafted = shading_.has_draft();
   const bool coarse =
       drafted || (last_frame_ - last_motion_ < still_seconds && workspace::draws_coarsely(workspace_));
   return options_.may_be_coarse && moves_ && coarse ? Fineness::coarse : Fineness::plain;

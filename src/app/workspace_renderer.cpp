@@ -280,13 +280,20 @@ void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const 
   const ViewDrawing::Part& part = d.parts[view];
   const render::View seen_from = seen(d, part);
   ModelLayer& model = *models_[view];
+  // Translucent splats are drawn over the ground, or under it if it is seen from below.
+  const bool ground_first = model.is_capture() && render::from_above(seen_from, d.shadow) > 0;
+  if (ground_first) draw_ground(d, model, seen_from, theme);
   if (d.model) model.draw(seen_from, theme, part.surface, coarse);
-  if (d.grid) {
-    if (d.model) model.draw_shadow(seen_from, theme, d.shadow);
-    grid_.draw(seen_from, theme, d.ground);
-  }
+  if (!ground_first) draw_ground(d, model, seen_from, theme);
   if (d.cage && part.cage) draw_cage(d, seen_from, theme);
   if (view == 0) findings_.draw(seen_from, theme);
+}
+
+void WorkspaceRenderer::draw_ground(const ViewDrawing& d, ModelLayer& model, const render::View& view,
+                                    const render::Theme& theme) {
+  if (!d.grid) return;
+  if (d.model) model.draw_shadow(view, theme, d.shadow);
+  grid_.draw(view, theme, d.ground);
 }
 
 void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view,

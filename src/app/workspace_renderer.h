@@ -107,6 +107,12 @@ public:
   void set_views(std::size_t count, const document::Document& document, const ModelShading& shading);
   /// Sets the deformed model of a view, relative to origin.
   void set_model(std::size_t view, std::span<const pose::FrameVertex> vertices, const mesh::Point& origin);
+  /// Sets the deformed capture of a view, see ModelLayer::set_splats().
+  void set_splats(std::size_t view, std::span<const pose::FrameVertex> vertices, const mesh::Point& origin,
+                  std::span<const render::SplatShape> shapes, std::span<const render::SplatTurn> turns) {
+    models_[view]->set_splats(vertices, origin, shapes, turns);
+    ++content_;
+  }
   /// Sets the deformed draft of the first view's model, relative to origin.
   void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
     models_[0]->set_draft(vertices, origin);
@@ -137,6 +143,8 @@ private:
   ViewDrawing::Part part(const workspace::Workspace& workspace, std::size_t view) const;
   void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
   void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme, bool coarse);
+  void draw_ground(const ViewDrawing& drawing, ModelLayer& model, const render::View& view,
+                   const render::Theme& theme);
   void set_cage_faces(const document::Document& document);
   void set_shown_edges(const document::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;

@@ -7,6 +7,7 @@
 
 #include "base/worker_pool.h"
 #include "mesh/point_index.h"
+#include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 
 namespace viete::mesh {
@@ -150,6 +151,24 @@ Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bou
   }
   draft.surface = from_triangles(picked(std::span(surface.positions), draft.vertices), triangles);
   return draft;
+}
+
+// In a Poisson process of density d, the mean distance from any place to the nearest point is 1 / (2
+// sqrt(d)).
+double point_spacing(std::span<const Point> points) {
+  constexpr std::size_t most = 4096;
+  const std::size_t step = std::max<std::size_t>(points.size() / most, 2);
+  std::vector<std::uint32_t> some;
+  for (std::size_t i = 0; i + step / 2 < points.size(); i += step)
+    some.push_back(static_cast<std::uint32_t>(i));
+  if (some.empty()) return 0;
+  const PointTree tree(points, some);
+  std::vector<double> distances;
+  for (const std::uint32_t i : some)
+    distances.push_back(norm(points[i + step / 2] - points[tree.nearest(points[i + step / 2])]));
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());  // the median ignores lonely points
+  return 2 * *middle * std::sqrt(static_cast<double>(some.size()) / static_cast<double>(points.size()));
 }
 
 }  // namespace viete::mesh

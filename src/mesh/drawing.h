@@ -32,4 +32,8 @@ struct Draft {
 Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bounds& box, double area,
                std::size_t wanted);
 
+/// Returns the distance between neighbours if the points are spread over a surface: the square root of its
+/// area per point. Estimated from at most 8,192 points; 0 for fewer than two. Points must be finite.
+double point_spacing(std::span<const Point> points);
+
 }  // namespace viete::mesh

@@ -30,7 +30,7 @@ namespace viete::render {
   X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) \
   X(GetError) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) \
   X(GetShaderiv) X(GetString) X(GetStringi) X(GetUniformLocation) X(LinkProgram) X(MapBufferRange) \
-  X(PixelStorei) X(PointSize) X(PolygonOffset) X(ReadPixels) X(RenderbufferStorageMultisample) \
+  X(PixelStorei) X(PolygonOffset) X(ReadPixels) X(RenderbufferStorageMultisample) \
   X(Scissor) X(ShaderSource) X(TexBuffer) X(TexImage2D) X(TexParameteri) X(Uniform1f) X(Uniform1i) \
   X(Uniform2f) X(Uniform3f) X(Uniform4f) X(UniformMatrix4fv) X(UnmapBuffer) \
   X(UseProgram) X(VertexAttribPointer) X(Viewport)

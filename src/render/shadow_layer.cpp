@@ -174,9 +174,6 @@ GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
   return shadow;
 }
 
-namespace {
-
-// Returns 1 if the ground is seen from above, 0 from below, and a value between if it is nearly edge-on.
 float from_above(const View& view, const ShadowStyle& style) {
   const glm::dvec4 center = view.view * glm::dvec4(style.center[0], style.center[1], style.center[2], 1);
   const glm::dvec3 up(glm::normalize(glm::dvec3(view.view[style.up])));
@@ -184,8 +181,6 @@ float from_above(const View& view, const ShadowStyle& style) {
   const glm::dvec3 to_eye = perspective ? -glm::normalize(glm::dvec3(center)) : glm::dvec3(0, 0, 1);
   return static_cast<float>(glm::smoothstep(0.0, 0.12, glm::dot(to_eye, up)));
 }
-
-}  // namespace
 
 ShadowLayer::ShadowLayer(const Gl& gl)
     : gl_(gl), program_(gl, "shadow"), vertex_array_(gl), darkness_(gl), squares_(gl, GL_RG32UI) {}
@@ -197,8 +192,19 @@ void ShadowLayer::set_triangles(std::span<const Triangle> triangles, std::span<c
   set_positions(positions);
 }
 
+void ShadowLayer::set_points(std::span<const std::uint32_t> vertices, std::span<const Point> positions) {
+  spread_.clear();
+  const std::size_t count = std::min(vertices.size(), place_count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t v = vertices[i * vertices.size() / count];
+    spread_.push_back({{v, v, v}, {1, 0, 0}});
+  }
+  vertex_count_ = positions.size();
+  set_positions(positions);
+}
+
 template <class At>
-void ShadowLayer::set_points(const At& at, const Point& origin) {
+void ShadowLayer::move(const At& at, const Point& origin) {
   points_.clear();
   for (const auto& place : spread_) {
     glm::vec3 p(0);
@@ -215,13 +221,13 @@ void ShadowLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Po
     const float* p = vertices[v].position;
     return glm::vec3(p[0], p[1], p[2]);
   };
-  set_points(at, origin);
+  move(at, origin);
 }
 
 void ShadowLayer::set_positions(std::span<const Point> positions) {
   require_count("shadow positions", positions.size(), vertex_count_);
   const Point origin = origin_of(positions);
-  set_points([&](std::uint32_t v) { return relative(positions[v], origin); }, origin);
+  move([&](std::uint32_t v) { return relative(positions[v], origin); }, origin);
 }
 
 // Computes in units of the model's size, so that very large and very small models are in the range of float.

@@ -44,6 +44,9 @@ struct ShadowStyle {
   friend bool operator==(const ShadowStyle&, const ShadowStyle&) = default;
 };
 
+/// Returns 1 if the ground is seen from above, 0 from below, and a value between if it is nearly edge-on.
+float from_above(const View& view, const ShadowStyle& style);
+
 /// Draws the shadow in less than a millisecond, for all sizes of models. Copies all spans. Not thread-safe.
 class ShadowLayer {
 public:
@@ -51,6 +54,9 @@ public:
 
   /// Sets the triangles and the positions. Throws base::Error for invalid vertex indices.
   void set_triangles(std::span<const Triangle> triangles, std::span<const Point> positions);
+  /// For a model without triangles: sets the vertices that have a shadow, and the positions of all vertices.
+  /// Uses at most 24,000 of them, evenly chosen. Vertex indices must be valid.
+  void set_points(std::span<const std::uint32_t> vertices, std::span<const Point> positions);
   /// Sets the vertices of a frame, with positions relative to `origin`.
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
   void set_positions(std::span<const Point> positions);
@@ -60,7 +66,7 @@ public:
 
 private:
   template <class At>
-  void set_points(const At& at, const Point& origin);
+  void move(const At& at, const Point& origin);
   void cast(const ShadowStyle& style);
 
   const Gl& gl_;

@@ -13,8 +13,6 @@ namespace viete::render {
 
 namespace {
 
-constexpr float point_size = 3;  // in logical pixels
-
 // Uploads the image and makes mipmaps. On a GPU, also turns on anisotropic filtering if it is supported.
 void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
   constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // from an extension; part of OpenGL 4.6
@@ -83,6 +81,9 @@ void SurfaceLayer::set_vertices(std::span<const SurfaceVertex> vertices, const P
       std::size_t{1} << 18);
   vertices_.buffer.unmap();
   has_vertices_ = true;
+  if (triangle_count_ > 0) return;
+  box_ = {};
+  for (const SurfaceVertex& v : vertices) box_.add({v.position[0], v.position[1], v.position[2]});
 }
 
 void SurfaceLayer::set_positions(std::span<const Point> positions,
@@ -91,14 +92,22 @@ void SurfaceLayer::set_positions(std::span<const Point> positions,
   require_count("surface normals", normals.size(), vertex_count_);
   if (positions.empty()) return;
   origin_ = origin_of(positions);
+  box_ = {};
   auto* vertices =
       static_cast<SurfaceVertex*>(vertices_.buffer.map(positions.size() * sizeof(SurfaceVertex)));
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const glm::vec3 p = relative(positions[i], origin_);
     vertices[i] = {{p.x, p.y, p.z}, normals[i]};
+    if (triangle_count_ == 0) box_.add(p);
   }
   vertices_.buffer.unmap();
   has_vertices_ = true;
+}
+
+void SurfaceLayer::Box::add(const glm::vec3& point) {
+  if (!glm::all(glm::lessThan(glm::abs(point), glm::vec3(1e30F)))) return;
+  low = glm::min(low, point);
+  high = glm::max(high, point);
 }
 
 void SurfaceLayer::set_occlusion(std::span<const float> occlusion) {
@@ -167,14 +176,8 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
   return *program;
 }
 
-void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& wanted) const {
+void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (!has_vertices_) return;
-  const bool points = triangle_count_ == 0;  // without corners, which edges and looks need
-  SurfaceStyle style = wanted;
-  if (points) {
-    style.paint = Paint::plain;
-    style.wireframe = 0;
-  }
   indices_.bind(0);
   vertices_.bind(1);
   occlusion_.bind(3);
@@ -184,14 +187,13 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
-  if (!style.takes_looks()) {
+  if (triangle_count_ == 0) {
+    draw_points(view, theme, style);
+  } else if (!style.takes_looks()) {
     use(program_for(style), view, theme, style);
     const auto corners = static_cast<GLsizei>(3 * triangle_count_);
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.buffer.id());
-    if (points) {
-      gl_.PointSize(point_size * view.scale);
-      gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertex_count_));
-    } else if (style.wireframe > 0) {
+    if (style.wireframe > 0) {
       gl_.DrawArrays(GL_TRIANGLES, 0, corners);
     } else {
       gl_.DrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
@@ -202,6 +204,26 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_DEPTH_TEST);
   debug_check_gl(gl_, "surface");
+}
+
+void SurfaceLayer::draw_points(const View& view, const Theme& theme, const SurfaceStyle& style) const {
+  static constexpr const char* kinds[] = {"", "#define SCALARS\n", "#define COLORS\n"};
+  const bool colors = has_colors_ && !colors_of_corners_ && style.paint == Paint::file;
+  const std::size_t kind = style.scalars ? 1 : colors ? 2 : 0;
+  auto& program = point_programs_[kind];
+  if (!program) program.emplace(gl_, "point", kinds[kind]);
+  if (colors) colors_.bind(6);
+  use(*program, view, theme, style);
+  const double per_unit = 0.5 * view.size.y * view.projection[1][1] * glm::length(glm::dvec3(view.view[1]));
+  program->set("spacing", static_cast<float>(style.spacing * per_unit));
+  program->set("scale", view.scale);
+  const glm::mat4 to_eye = eye_matrix(view, origin_);
+  const float distance = -(to_eye * glm::vec4(0.5F * (box_.low + box_.high), 1)).z;
+  const float reach = 0.3F * glm::length(glm::mat3(to_eye) * (box_.high - box_.low));
+  program->set("depth_range", glm::vec2(distance - reach, distance + reach));
+  gl_.Enable(GL_PROGRAM_POINT_SIZE);
+  gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertex_count_));
+  gl_.Disable(GL_PROGRAM_POINT_SIZE);
 }
 
 void SurfaceLayer::draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const {

@@ -48,6 +48,7 @@ struct SurfaceStyle {
   bool scalars = false;   ///< uses the colours of set_scalars() and set_palette() instead of theme.model
   float scalar_low = 0;   ///< the scalar with the first palette colour
   float scalar_high = 1;  ///< the scalar with the last palette colour
+  float spacing = 0;      ///< without triangles: the distance between neighbouring points, in model units
 
   /// True if the picture shows SurfaceLooks.
   bool takes_looks() const {
@@ -84,17 +85,20 @@ public:
   /// Uses the images of another layer for the runs of this layer. Call this after set_looks().
   void share_images_of(const SurfaceLayer& other) { images_ = other.images_; }
 
-  /// If no vertices or positions are set, draws nothing. Without triangles, draws points without looks.
+  /// If no vertices or positions are set, draws nothing. Without triangles, draws points as discs without
+  /// shading. If `paint` is not `file` or the file has no colours, far points are darker.
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
 private:
   const Program& program_for(const SurfaceStyle& style, bool flat = false) const;
   void use(const Program& program, const View& view, const Theme& theme, const SurfaceStyle& style) const;
   void draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const;
+  void draw_points(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
   const Gl& gl_;
   // One program for each combination of features, so that unused features cost no time; see program_for().
   mutable std::array<std::optional<Program>, 32> programs_;
+  mutable std::array<std::optional<Program>, 3> point_programs_;
   VertexArray vertex_array_;
   BufferTexture indices_;   // three vertex indices per triangle
   BufferTexture vertices_;  // one SurfaceVertex per texel
@@ -109,6 +113,12 @@ private:
   std::size_t triangle_count_ = 0, vertex_count_ = 0;
   Point origin_{0, 0, 0};
   bool has_vertices_ = false;
+  // The box of the finite points, relative to the origin. Only without triangles.
+  struct Box {
+    glm::vec3 low{1e30F}, high{-1e30F};
+    void add(const glm::vec3& point);
+  };
+  Box box_;
 };
 
 }  // namespace viete::render

@@ -1,0 +1,165 @@
+// Captures (Gaussian splats) and point sets in the view.
+#include "program/small_scene.h"
+#include "support/pictures.h"
+#include "workspace/apply_opened.h"
+
+using namespace viete;
+using test::Driver;
+
+namespace {
+
+// A ball of flat splats with radius 1: red at the front (z > 0), otherwise green.
+document::OpenedSurface capture_of_ball(int subdivisions) {
+  mesh::Surface points;
+  points.positions = test::ball(1, subdivisions).positions;
+  auto splats = std::make_shared<mesh::Splats>();
+  const double spacing = std::sqrt(4 * M_PI / static_cast<double>(points.positions.size()));
+  const auto log_size = static_cast<float>(std::log(0.6 * spacing));
+  for (const mesh::Point& p : points.positions) {
+    splats->log_scales.push_back({log_size, log_size, log_size - 2});
+    const mesh::Point half{-0.5 * p[1], 0.5 * p[0], 0.5 + 0.5 * p[2]};  // turns z to p
+    splats->rotations.push_back(
+        {static_cast<float>(half[2]), static_cast<float>(half[0]), static_cast<float>(half[1]), 0});
+    splats->opacities.push_back(4);
+    const bool front = p[2] > 0;
+    splats->colors.push_back({front ? 1.5F : -1.5F, front ? -1.5F : 1.5F, -1.5F});
+  }
+  document::OpenedSurface opened = document::generated_surface(std::move(points), "capture");
+  opened.splats = std::move(splats);
+  return opened;
+}
+
+struct Scene {
+  explicit Scene(document::OpenedSurface&& model, const app::ViewerOptions& options = test::small_options())
+      : d(options, test::with_pixels) {
+    files::Opened opened;
+    opened.document.emplace(std::move(model));
+    document::set_cage(*opened.document, document::generated_surface(test::ball(1.2, 1), "cage"));
+    workspace::apply_opened(d.workspace(), std::move(opened));
+    auto& view = d.workspace().view;
+    view.options.panels = view.options.cage = view.options.grid = false;
+    d.settle();
+  }
+
+  void look(float yaw) {
+    auto pose = d.workspace().view.camera.pose();
+    pose.yaw = yaw;
+    d.workspace().view.camera.set_pose(pose);
+    d.frame(3);
+  }
+  // The numbers of pixels that are mostly red, green and blue.
+  std::array<int, 3> colored() {
+    const render::Image image = d.picture();
+    std::array<int, 3> counts{};
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = [&](std::size_t channel) { return image.rgba[i + channel % 3]; };
+        counts[k] += at(k) > 100 && at(k) > 2 * at(k + 1) && at(k) > 2 * at(k + 2) ? 1 : 0;
+      }
+    return counts;
+  }
+
+  Driver d;
+};
+
+}  // namespace
+
+TEST_CASE("a_capture_shows_its_colors_from_all_sides_and_hides_what_is_behind") {
+  Scene scene(capture_of_ball(4));
+  scene.look(0);
+  const auto front = scene.colored();
+  scene.look(static_cast<float>(M_PI));
+  const auto back = scene.colored();
+  const auto [most, least] = std::minmax(front[0], front[1], std::greater());
+  CHECK(most > 20'000);
+  CHECK(least < most / 100);
+  CHECK(std::abs(front[0] - back[1]) < most / 50);
+  CHECK(std::abs(front[1] - back[0]) < most / 50);
+}
+
+TEST_CASE("a_map_colors_a_capture_and_points") {
+  document::OpenedSurface plain = capture_of_ball(4);
+  plain.splats = nullptr;
+  for (document::OpenedSurface& model : std::array{capture_of_ball(4), std::move(plain)}) {
+    Scene scene(std::move(model));
+    const render::Image without = scene.d.picture();
+    auto& positions = scene.d.workspace().document.changed_pose().positions;
+    for (mesh::Point& p : positions) p[1] *= 1.3;
+    scene.d.workspace().view.options.field = analysis::Field::displacement;
+    scene.d.settle();
+    scene.d.viewer().finish_views();
+    scene.d.frame(3);
+    const render::Image with = scene.d.picture();
+    CHECK(test::difference(with, without, 30) > 0.1);
+    const auto colored = scene.colored();
+    CHECK(colored[0] + colored[1] < 50);
+  }
+}
+
+TEST_CASE("the_cage_is_drawn_over_a_capture_and_a_dragged_vertex_bends_it") {
+  Scene scene(capture_of_ball(4));
+  scene.look(0);
+  const render::Image without = scene.d.picture();
+  scene.d.workspace().view.options.cage = true;
+  scene.d.frame(3);
+  CHECK(test::difference(scene.d.picture(), without, 30) > 0.02);
+  scene.d.workspace().view.options.cage = false;
+  auto& positions = scene.d.workspace().document.changed_pose().positions;
+  for (mesh::Point& p : positions) p[0] *= 1.5;
+  scene.d.settle();
+  const auto wider = scene.colored();
+  CHECK(wider[0] + wider[1] > 25'000);
+  CHECK(test::difference(scene.d.picture(), without, 30) > 0.05);
+}
+
+TEST_CASE("large_captures_move_with_fewer_splats_and_rest_with_all") {
+  auto options = test::small_options();
+  options.may_be_coarse = true;
+  options.moving_triangles = 60'000;
+  Scene scene(capture_of_ball(4), options);
+  scene.d.workspace().preferences.coarse_motion = false;
+  scene.look(0.1F);
+  const auto in_motion = scene.colored();
+  CHECK(scene.d.viewer().view_fineness() == app::Fineness::coarse);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  scene.d.frame(6);
+  CHECK(scene.d.viewer().view_fineness() == app::Fineness::plain);
+  const auto at_rest = scene.colored();
+  CHECK(in_motion != at_rest);
+  CHECK(std::abs(in_motion[0] + in_motion[1] - at_rest[0] - at_rest[1]) < 0.2 * (at_rest[0] + at_rest[1]));
+}
+
+TEST_CASE("points_are_discs_with_the_colors_of_the_file") {
+  for (const bool colored : {true, false}) {
+    document::OpenedSurface points = capture_of_ball(5);
+    points.splats = nullptr;
+    auto attributes = std::make_shared<formats::Attributes>();
+    for (const mesh::Point& p : points.surface->positions)
+      attributes->colors.push_back(p[2] > 0 ? formats::Color{1, 0, 0, 1} : formats::Color{0, 1, 0, 1});
+    if (colored) points.attributes = std::move(attributes);
+    Scene scene(std::move(points));
+    scene.look(0);
+    const auto [red, green, blue] = scene.colored();
+    CHECK(std::min(red, green) < 2000);
+    CHECK(blue == 0);
+    if (colored) CHECK(std::max(red, green) > 40'000);
+    if (!colored) CHECK(red + green == 0);
+    const render::Image with = scene.d.picture();
+    scene.d.workspace().view.options.model = false;
+    scene.d.frame(2);
+    CHECK(test::difference(with, scene.d.picture(), 8) > 0.08);
+  }
+}
+
+TEST_CASE("a_capture_is_drawn_side_by_side_and_has_a_shadow") {
+  Scene scene(capture_of_ball(4));
+  auto& w = scene.d.workspace();
+  w.view.options.grid = true;
+  scene.look(0);
+  const auto one = scene.colored();
+  workspace::put_side_views(w.view.split,
+                            {.sides = {{w.document.deformer(), w.document.method(), {}}}, .cameras = {}});
+  scene.d.settle();
+  const auto two = scene.colored();
+  CHECK(two[0] + two[1] > 0.4 * (one[0] + one[1]));
+}
