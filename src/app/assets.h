@@ -12,8 +12,8 @@ struct BundledModel {
   std::vector<std::filesystem::path> poses;  ///< poses of the cage, sorted by name
   std::filesystem::path loop;                ///< a session with this model and cage, poses and keys
 };
-/// Searches these folders: $VIETE_ASSETS, ../share/viete and share/viete relative to the program, and the assets
-/// of the source tree from which the program was built. Throws base::Error if the model is not found.
+/// Searches these folders: $VIETE_ASSETS, ../share/viete and share/viete relative to the program, and the
+/// assets of the source tree from which the program was built. Throws base::Error if the model is not found.
 BundledModel bundled_model();
 
 std::filesystem::path program_folder();

@@ -34,7 +34,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
   all.cage = std::make_shared<const pose::Cage>(pose::make_cage(*all.surface.surface));
   if (is_preview) return all;
   progress.section(0.75, 1);
-  all.bound = app::bind(workshop.model, all.cage, deformer, method, {}, progress);
+  all.bound = app::bind({workshop.model, all.cage, workshop.splats}, deformer, method, {}, progress);
   return all;
 }
 
@@ -86,7 +86,7 @@ void CageMaker::start(const workspace::Workspace& w, cages::Effort effort) {
   cages::Wish wish = *asked_;
   wish.effort = effort;
   if (!workshop_ || workshop_->model != document.model().surface)
-    workshop_ = std::make_shared<Workshop>(Workshop{document.model().surface});
+    workshop_ = std::make_shared<Workshop>(Workshop{document.model().surface, document.model().splats});
   job_.start([workshop = workshop_, wish, deformer = document.deformer(), method = document.method()](
                  base::Progress& progress) { return make(*workshop, wish, deformer, method, progress); },
              text_of(wish));

@@ -41,6 +41,7 @@ private:
   // The input and the caches for all cages of one model. Only the job's thread changes the caches.
   struct Workshop {
     std::shared_ptr<const mesh::Surface> model;
+    std::shared_ptr<const mesh::Splats> splats;
     std::optional<cages::Maker> maker{};
   };
   void start(const workspace::Workspace& workspace, cages::Effort effort);

@@ -36,8 +36,7 @@ void note_kernel() {
   const std::string kernel = base::os::variable("VIETE_KERNEL");
   if (!kernel.empty() && sym3::kernel_name() != kernel) {
     std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is not available on this machine; using %s\n",
-                 kernel.c_str(),
-                 std::string(sym3::kernel_name()).c_str());
+                 kernel.c_str(), std::string(sym3::kernel_name()).c_str());
   }
 }
 

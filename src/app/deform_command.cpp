@@ -110,7 +110,8 @@ void write_positions(const deform::FrameDeformer& deformer, std::size_t number, 
 // from the previous pose. Throws base::Error for an invalid or incomplete pose, and if writing fails.
 void stream_poses(const files::Export& what) {
   base::Progress progress;
-  const Bound bound = app::bind(what.model, what.cage, what.deformer, what.method, {}, progress);
+  const Bound bound =
+      app::bind({what.model, what.cage, what.splats}, what.deformer, what.method, {}, progress);
   base::WorkerPool pool;
   deform::FrameDeformer deformer(bound.cage, bound.binding, what.deformer, pool, bound.stitching);
   deformer.set_mask(what.mask);

@@ -55,8 +55,8 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
   }
   if (!document.has_cage()) return loaded;
   progress.step(document::binding_plan(document, document.deformer().weighting));
-  loaded.bound = app::bind(document.model().surface, document.cage(), document.deformer(), document.method(),
-                           {}, progress, loaded.shading.draft);
+  loaded.bound = app::bind({document.model().surface, document.cage(), document.model().splats},
+                           document.deformer(), document.method(), {}, progress, loaded.shading.draft);
   return loaded;
 }
 

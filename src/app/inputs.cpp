@@ -186,7 +186,8 @@ std::vector<std::string> write_shape(const files::Export& what, const std::strin
   if (!document::in_range({{}, {}, what.shape}))
     throw base::Error(what.file.string(), name + " is too large to draw",
                       "use smaller weights and positions closer to the model");
-  return files::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
+  return files::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0, what.splats},
+                            progress);
 }
 
 int run_cancellable(const Output& output, const std::function<int()>& write, const char* advice) {

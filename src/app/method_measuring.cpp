@@ -194,8 +194,7 @@ void MethodMeasuring::finish(workspace::Workspace& w, LiveModel& model) {
 MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   const bool compares = timed.deformer.exponential();  // otherwise all methods have the same time
   if (compares && lacks_small_weights(timed))
-    timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.deformer, sym3::Method::diag,
-                            timed.bound, progress);
+    timed.bound = app::bind(timed.bound, timed.deformer, sym3::Method::diag, timed.bound, progress);
   base::WorkerPool pool;
   const Bound& bound = timed.bound;
   deform::FrameDeformer deformer(bound.cage, bound.binding, timed.deformer, pool,

@@ -56,26 +56,33 @@ document::SharedPose other_pose(workspace::Workspace& w) {
 
 }  // namespace
 
-Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const pose::Cage> cage,
-           const pose::Deformer& deformer, sym3::Method method, const Bound& known, base::Progress& progress,
-           const std::shared_ptr<const mesh::Draft>& draft) {
+Bound bind(const Pair& pair, const pose::Deformer& deformer, sym3::Method method, const Bound& known,
+           base::Progress& progress, const std::shared_ptr<const mesh::Draft>& draft) {
   using pose::EngineKind;
+  const auto& [given, cage, splats] = pair;
+  const double tip_step = splats ? deform::tip_step(*given, *cage, deform::tip_in_float) : 0;
+  const auto model =
+      splats ? std::make_shared<const mesh::Surface>(deform::with_tips(*given, tip_step)) : given;
+  const auto with_tip_step = [&](weights::Binding binding) {
+    binding.tip_step = tip_step;
+    return std::make_shared<const weights::Binding>(std::move(binding));
+  };
   const pose::Weighting& weighting = deformer.weighting;
   base::WorkerPool pool;
-  const bool same = known.binding && known.model == model && known.cage == cage;
+  const bool same = known.binding && known.model == given && known.cage == cage;
   const bool shared = same && known.binding->weighting == weighting;
-  Bound bound{model, cage, shared ? known.binding : nullptr, same ? known.stitching : nullptr,
+  Bound bound{pair, shared ? known.binding : nullptr, same ? known.stitching : nullptr,
               shared ? known.draft : nullptr};
   auto& binding = bound.binding;
   const bool staged = pose::engine_for(deformer, method) == EngineKind::staged;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
-    binding = std::make_shared<const weights::Binding>(
-        weights::bind(model, *cage, weighting, EngineKind::fused, nullptr, pool, &progress));
+    binding =
+        with_tip_step(weights::bind(model, *cage, weighting, EngineKind::fused, nullptr, pool, &progress));
   }
   if (staged && binding->weights.empty()) {
     progress.section(progress.done(), 1);
-    binding = std::make_shared<const weights::Binding>(
+    binding = with_tip_step(
         weights::bind(model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
   }
   if (draft && !bound.draft) bound.draft = bind_draft(draft, *cage, *binding->tiles, pool, progress);
@@ -155,7 +162,8 @@ void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
 }
 
 void LiveModel::start_binding(const document::Document& document) {
-  bind_for({deformer_of(document), document.method()}, document.model().surface, cage_of(document), bound_,
+  bind_for({deformer_of(document), document.method()},
+           {document.model().surface, cage_of(document), document.model().splats}, bound_,
            document.has_cage() ? document::binding_plan(document, document.deformer().weighting)
                                : "Preparing the model for probes",
            draft_of(document));
@@ -365,7 +373,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
     deformer_.reset();
     made_.reset();
     asked_ = need;
-    bind_for(need, known.model, known.cage, same_weights ? bound_ : known);
+    bind_for(need, known, same_weights ? bound_ : known);
     side.binding = true;
     return false;
   }

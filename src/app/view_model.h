@@ -22,10 +22,15 @@
 
 namespace viete::app {
 
-/// A model bound to a cage: the input of a FrameDeformer.
-struct Bound {
+/// A model and a cage to bind.
+struct Pair {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const pose::Cage> cage;
+  std::shared_ptr<const mesh::Splats> splats{};  ///< of a capture; null for other models
+};
+
+/// A model bound to a cage: the input of a FrameDeformer.
+struct Bound : Pair {
   std::shared_ptr<const weights::Binding> binding;
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched deformer is bound
   std::shared_ptr<const weights::Binding> draft{};       ///< binding of the model's draft, or null
@@ -40,9 +45,8 @@ struct Bound {
 /// Binds the model for the engines of this deformer and method. Reuses parts of `known` with the same input.
 /// Also binds the draft if there is one. Throws base::Error if memory is insufficient, base::Cancelled if
 /// cancelled. Thread-safe.
-Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const pose::Cage> cage,
-           const pose::Deformer& deformer, sym3::Method method, const Bound& known, base::Progress& progress,
-           const std::shared_ptr<const mesh::Draft>& draft = nullptr);
+Bound bind(const Pair& pair, const pose::Deformer& deformer, sym3::Method method, const Bound& known,
+           base::Progress& progress, const std::shared_ptr<const mesh::Draft>& draft = nullptr);
 
 /// True if a drag changes the cage's rest shape. During this drag, the model does not change.
 inline bool changes_rest(const workspace::Workspace& w) {
@@ -120,18 +124,18 @@ protected:
     sym3::Method method = sym3::Method::fast;
     friend bool operator==(const Need&, const Need&) = default;
   };
-  void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
-                std::shared_ptr<const pose::Cage> cage, const Bound& known, std::string name = "",
+  void bind_for(const Need& need, const Pair& pair, const Bound& known, std::string name = "",
                 std::shared_ptr<const mesh::Draft> draft = nullptr) {
     binder_.start(
         [=](base::Progress& progress) {
-          return app::bind(model, cage, need.deformer, need.method, known, progress, draft);
+          return app::bind(pair, need.deformer, need.method, known, progress, draft);
         },
         std::move(name));
   }
   void make_deformer(const pose::Deformer& deformer, base::WorkerPool& pool) {
     deformer_ = std::make_unique<deform::FrameDeformer>(
         bound_.cage, bound_.binding, deformer, pool, bound_.stitches(deformer) ? bound_.stitching : nullptr);
+    deformer_->set_splats(bound_.splats);
     drag_ = {};
   }
   void deform_pose(const document::Document& document, const pose::Pose& pose,

@@ -468,7 +468,11 @@ void Viewer::upload() {
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view) {
     const bool news = view == 0 ? model_.take_news() : sides_[view - 1].take_news();
     const document::PosedModel posed = posed_in(view);
-    if ((news || switched) && !posed.vertices.empty())
+    if (!(news || switched) || posed.vertices.empty()) continue;
+    const deform::FrameDeformer& deformer = *(model_of(view).ran() ? model_of(view) : model_).deformer();
+    if (const auto& splats = deformer.splats())
+      renderer_.set_splats(view, posed.vertices, posed.origin, splats->shapes(), splats->turns());
+    else
       renderer_.set_model(view, posed.vertices, posed.origin);
   }
   if (const deform::FrameDeformer* draft = model_.take_draft())

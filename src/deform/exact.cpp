@@ -41,16 +41,20 @@ bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
 
 ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
                              const pose::Deformer& deformer, sym3::Method method, base::WorkerPool& pool,
-                             Weights weights, const weights::Mask& mask, base::Progress* progress)
-    : model_(with_vertices(model)),
+                             Weights weights, const weights::Mask& mask, base::Progress* progress,
+                             std::shared_ptr<const mesh::Splats> splats)
+    : splats_(std::move(splats)),
+      tip_step_(splats_ ? tip_step(model, *cage, tip_in_double) : 0),
+      with_tips_(splats_ ? with_tips(model, tip_step_) : mesh::Surface()),
+      model_(with_vertices(splats_ ? with_tips_ : model)),
       cage_(std::move(cage)),
       deformer_(deformer),
       method_(method),
       pool_(pool),
-      mask_(mask),
+      mask_(splats_ ? with_tips(mask) : mask),
       state_(cage_, deformer.weighting.elements, deformer.blend),
       weigher_(*cage_, deformer.weighting),
-      layer_(model.positions, pool) {
+      layer_(model_.positions, pool) {
   const std::size_t n = model_.positions.size();
   state_.set_amounts(deformer.amounts);
   state_.keep_origin(holds_shares(mask_, deformer.weighting));
@@ -120,7 +124,8 @@ void ExactDeformer::stitch_positions(std::span<const Vec3> displacements,
 }
 
 ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& probes,
-                                 const weights::SharedShape& shape, base::Progress* progress) {
+                                 const weights::SharedShape& given_shape, base::Progress* progress) {
+  const weights::SharedShape shape = splats_ ? with_tips(given_shape, tip_step_) : given_shape;
   state_.set_pose(pose);
   if (shape && ShapeFollower::is_for(deformer_)) {
     if (!follower_) follower_.emplace(cage_);
@@ -155,16 +160,26 @@ ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& pro
   }
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);
-  exact.warnings = weights::weight_warnings(*cage_, deformer_.weighting.weights, failed, n);
+  if (splats_) pose_splats(exact);
+  const std::size_t points = splats_ ? 4 : 1;  // counts splats, not tips
+  exact.warnings = weights::weight_warnings(*cage_, deformer_.weighting.weights,
+                                            (failed + points - 1) / points, n / points);
   return exact;
+}
+
+void ExactDeformer::pose_splats(ExactModel& exact) const {
+  exact.splats =
+      std::make_shared<const mesh::Splats>(posed_splats(*splats_, exact.positions, tip_step_, pool_));
+  exact.positions.resize(splats_->size());
 }
 
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
                           const pose::Deformer& deformer, const pose::Pose& pose, sym3::Method method,
                           base::WorkerPool& pool, base::Progress* progress, const weights::Mask& mask,
-                          const pose::Probes& probes, const weights::SharedShape& shape) {
+                          const pose::Probes& probes, const weights::SharedShape& shape,
+                          std::shared_ptr<const mesh::Splats> splats) {
   ExactDeformer exact(model, std::move(cage), deformer, method, pool, ExactDeformer::Weights::dropped, mask,
-                      progress);
+                      progress, std::move(splats));
   return exact.deform(pose, probes, shape, progress);
 }
 

@@ -11,6 +11,7 @@
 #include "base/worker_pool.h"
 #include "deform/probe_layer.h"
 #include "deform/shape_follower.h"
+#include "deform/splats.h"
 #include "deform/stitching.h"
 #include "pose/cage_state.h"
 #include "pose/probe.h"
@@ -24,10 +25,11 @@ namespace viete::deform {
 using mesh::Vec3;
 
 struct ExactModel {
-  std::vector<mesh::Point> positions;  ///< one per vertex
-  pose::LogReport report;              ///< as CageState::report()
-  std::vector<std::string> warnings;   ///< as Binding::warnings
-  double exp_error = 0;                ///< largest error of an exponential, see apply_to_vertices()
+  std::vector<mesh::Point> positions;            ///< one per vertex
+  pose::LogReport report;                        ///< as CageState::report()
+  std::vector<std::string> warnings;             ///< as Binding::warnings
+  double exp_error = 0;                          ///< largest error of an exponential, see apply_to_vertices()
+  std::shared_ptr<const mesh::Splats> splats{};  ///< the posed splats of a capture; null for other models
 };
 
 /// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most
@@ -41,10 +43,12 @@ public:
   enum class Weights { dropped, kept };
 
   /// model and pool must outlive this object; cage must not be null. progress reports the work before the
-  /// first pose, and may be null. Throws base::Error if the model has no vertices, and base::Cancelled.
+  /// first pose, and may be null. `splats` are those of a capture, or null. Throws base::Error if the model
+  /// has no vertices, and base::Cancelled.
   ExactDeformer(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage,
                 const pose::Deformer& deformer, sym3::Method method, base::WorkerPool& pool, Weights weights,
-                const weights::Mask& mask = nullptr, base::Progress* progress = nullptr);
+                const weights::Mask& mask = nullptr, base::Progress* progress = nullptr,
+                std::shared_ptr<const mesh::Splats> splats = nullptr);
   ExactDeformer(const ExactDeformer&) = delete;
   ExactDeformer& operator=(const ExactDeformer&) = delete;
 
@@ -61,6 +65,11 @@ private:
                std::span<mesh::Point> positions);
   void stitch_positions(std::span<const Vec3> displacements, std::span<mesh::Point> positions) const;
 
+  void pose_splats(ExactModel& exact) const;
+
+  std::shared_ptr<const mesh::Splats> splats_;  // null if the model is not a capture
+  double tip_step_ = 0;                         // 0 without splats
+  mesh::Surface with_tips_;                     // empty without splats
   const mesh::Surface& model_;
   std::shared_ptr<const pose::Cage> cage_;
   pose::Deformer deformer_;
@@ -86,6 +95,7 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const pose
                           const pose::Deformer& deformer, const pose::Pose& pose, sym3::Method method,
                           base::WorkerPool& pool, base::Progress* progress = nullptr,
                           const weights::Mask& mask = nullptr, const pose::Probes& probes = {},
-                          const weights::SharedShape& shape = nullptr);
+                          const weights::SharedShape& shape = nullptr,
+                          std::shared_ptr<const mesh::Splats> splats = nullptr);
 
 }  // namespace viete::deform

@@ -9,6 +9,7 @@
 #include "base/worker_pool.h"
 #include "deform/fused_engine.h"
 #include "deform/shape_follower.h"
+#include "deform/splats.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
 #include "pose/cage_state.h"
@@ -42,6 +43,10 @@ public:
   void set_probes(const pose::Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const weights::Binding& binding() const { return *binding_; }
+  /// Sets the splats of a capture; null for none. The binding must have tips, see Binding::tip_step.
+  void set_splats(std::shared_ptr<const mesh::Splats> splats);
+  /// The splats of the last frame; nullopt if the model is not a capture.
+  const std::optional<SplatFrame>& splats() const { return splats_; }
   /// If `all`, blends with exponentials use the staged engine even with method `fast`, to compare times.
   void set_all_staged(bool all) { all_staged_ = all; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
@@ -53,7 +58,8 @@ public:
   /// engine(method) is nullopt, uses the fused engine, which must then exist.
   void deform(const pose::Pose& pose, sym3::Method method);
 
-  /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.
+  /// Vertices of the last frame without tips, in the file's order, relative to origin(); empty before the
+  /// first frame.
   std::span<const pose::FrameVertex> vertices() const;
   Vec3 origin() const { return state_.rows().origin; }
   const pose::CageState& state() const { return state_; }
@@ -83,7 +89,7 @@ private:
   base::WorkerPool& pool_;
   std::shared_ptr<const weights::Binding> binding_;
   pose::Deformer deformer_;
-  weights::Mask mask_;
+  weights::Mask mask_, all_mask_;  // all_mask_: with tips
   weights::SharedShape shape_;
   std::vector<Vec3> displacements_;  // displacements of the shape from rest
   std::span<const Vec3>
@@ -92,6 +98,8 @@ private:
   pose::CageState state_;
   weights::Weigher weigher_;
   ProbeLayer layer_;
+  std::optional<SplatFrame> splats_;
+  double splats_ms_ = 0;
   std::unique_ptr<FusedEngine> fused_;
   std::unique_ptr<StagedEngine> staged_;
   std::unique_ptr<StitchedEngine> stitched_;

@@ -73,12 +73,13 @@ deform::ExactModel AnimatedModel::exact(const document::WholePose& pose, base::P
   };
   if (pose.shape && !has_cage() && std::ranges::none_of(probes(pose).all, acts)) {
     notes_ = animation_->notes();
-    return {*pose.shape, {}, {}, 0};
+    return {*pose.shape, {}, {}, 0, model_.splats};
   }
   using deform::ExactDeformer;
   if (!exact_)
-    exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.deformer, model_.method,
-                                             pool_, ExactDeformer::Weights::kept, model_.mask, progress);
+    exact_ =
+        std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.deformer, model_.method, pool_,
+                                        ExactDeformer::Weights::kept, model_.mask, progress, model_.splats);
   deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), pose.shape, progress);
   take_notes(deformed.report, pose, deformed.warnings);
   if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())

@@ -28,7 +28,8 @@ Export export_of(const document::Document& document, const std::filesystem::path
              document.probes(),
              document.shape(),
              guessed_up(document.model()),
-             {}};
+             {},
+             document.model().splats};
   if (document.has_cage()) return all;
   all.cage = std::make_shared<const pose::Cage>(pose::no_cage(document.model().bounds));
   all.pose = pose::rest_pose(*all.cage);
@@ -75,7 +76,7 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
   if (progress) progress->section(0, 0.5);
   deform::ExactModel deformed =
       deform::deform_exactly(*what.model, what.cage, what.deformer, what.pose, what.method, pool, progress,
-                             what.mask, what.probes, what.shape);
+                             what.mask, what.probes, what.shape, what.splats);
   if (progress) progress->section(0.5, 1);
   return write_exact(what, std::move(deformed), progress);
 }
@@ -84,7 +85,8 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
                                      base::Progress* progress) {
   const std::vector<mesh::Point>& shape = what.shape ? *what.shape : what.model->positions;
   keep_at_rest(*what.cage, what.pose, what.probes, shape, deformed.positions);
-  const formats::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
+  const formats::Content content{
+      *what.model, deformed.positions, {}, what.attributes.get(), deformed.splats.get()};
   std::vector<std::string> notes =
       formats::write(what.file, content, what.original.get(), what.digits, progress);
   std::ranges::move(deformed.warnings, std::back_inserter(notes));

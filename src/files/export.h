@@ -29,6 +29,7 @@ struct Export {
   document::SharedShape shape;                ///< the model's shape; if null, the model is at rest
   document::UpAxis up = document::UpAxis::y;  ///< the model's up axis
   formats::Digits digits = {};
+  std::shared_ptr<const mesh::Splats> splats = nullptr;  ///< of a capture; null for other models
 };
 
 /// Copies the data. Guesses the up axis from the model's file. document.is_movable() must be true.

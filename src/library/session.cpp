@@ -34,7 +34,7 @@ struct Session::Impl {
     deform::ExactModel deformed =
         animated ? animated->exact(pose)
                  : deform::deform_exactly(*what.model, what.cage, what.deformer, pose.cage, what.method, pool,
-                                          nullptr, what.mask, probes, pose.shape);
+                                          nullptr, what.mask, probes, pose.shape, what.splats);
     const auto& shape = pose.shape ? *pose.shape : what.model->positions;
     files::keep_at_rest(*what.cage, pose.cage, probes, shape, deformed.positions);
     return std::move(deformed.positions);

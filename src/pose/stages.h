@@ -9,7 +9,8 @@
 namespace viete::pose {
 
 /// A step in the computation of a frame. `fused` combines blend, exp and apply in one pass. `skeleton` blends
-/// pivots (see LeafFactors). `triangle_maps` and `solve` are the iterations of stitching.
+/// pivots (see LeafFactors). `triangle_maps` and `solve` are the iterations of stitching. `splats` are
+/// the derivatives at Gaussian splats.
 enum class Stage {
   maps,
   log_maps,
@@ -21,14 +22,15 @@ enum class Stage {
   triangle_maps,
   solve,
   probes,
-  normals
+  normals,
+  splats
 };
-inline constexpr std::size_t stage_count = 11;
+inline constexpr std::size_t stage_count = 12;
 
 constexpr std::string_view name(Stage stage) {
-  constexpr std::array<std::string_view, stage_count> names = {"maps",  "log maps", "blend",  "exp",
-                                                               "apply", "skeleton", "fused",  "triangles",
-                                                               "solve", "probes",   "normals"};
+  constexpr std::array<std::string_view, stage_count> names = {"maps",  "log maps", "blend",   "exp",
+                                                               "apply", "skeleton", "fused",   "triangles",
+                                                               "solve", "probes",   "normals", "splats"};
   return names[static_cast<std::size_t>(stage)];
 }
 

@@ -124,7 +124,8 @@ const char* stage_hint(workspace::Stage stage) {
       "Rotation and stretch of each triangle of the model, fitted to the blended vertices.",
       "Sparse linear solve for the positions whose triangles follow these maps best.",
       "Probes, applied after the cage.",
-      "Vertex normals, from the triangles around each vertex."};
+      "Vertex normals, from the triangles around each vertex.",
+      "Derivatives of the deformation, which stretch and turn Gaussian splats."};
   return hints[static_cast<std::size_t>(stage)];
 }
 

@@ -23,8 +23,7 @@ ImVec4 rgba(unsigned hex, float alpha = 1) {
 
 // Font folders of distributions, of a Flatpak runtime, and beside a portable program.
 std::array<std::filesystem::path, 3> font_folders() {
-  return {"/usr/share/fonts", "/app/share/fonts",
-          base::os::program_file().parent_path() / "share" / "fonts"};
+  return {"/usr/share/fonts", "/app/share/fonts", base::os::program_file().parent_path() / "share" / "fonts"};
 }
 
 // Ranges of ImGui, pairs of the first and last character, that end with 0.
@@ -185,7 +184,7 @@ Palette palette(bool dark) {
 ImU32 stage_color(workspace::Stage stage) {
   static constexpr std::array<unsigned, workspace::stage_count> colors = {
       0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c, 0x3fb09a, 0x6fc3df,
-      0xe07b54, 0x8f7fd1, 0xcf5f7a, 0xc58bb5, 0xb0a45a};
+      0xe07b54, 0x8f7fd1, 0xcf5f7a, 0xc58bb5, 0xb0a45a, 0x7fae6b};
   return rgb(colors[static_cast<std::size_t>(stage)]);
 }
 

@@ -37,7 +37,10 @@ using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
 
 struct Binding {
   pose::Weighting weighting;
-  std::size_t vertices = 0, handles = 0;
+  std::size_t vertices = 0, handles = 0;  ///< vertices include tips
+  /// For a capture: the distance of the tips, see deform/splats.h. A quarter of the vertices are splats, and
+  /// the others are tips. 0 for other models.
+  double tip_step = 0;
   std::shared_ptr<const TiledBinding> tiles;  ///< for the fused and the stitched engine; may be null
   SharedShape rest;                           ///< rest positions of the model; not null
   Vec3 rest_origin{0, 0, 0};                  ///< the middle of the rest cage
@@ -49,6 +52,9 @@ struct Binding {
   std::vector<mesh::Point> offsets;  ///< rest position minus the weighted mean of the handles' rest centres
   std::shared_ptr<const mesh::Surface> model;  ///< null for a part of a model
   mesh::Adjacency around;
+
+  /// The number of vertices of the model, without tips.
+  std::size_t model_vertices() const { return tip_step > 0 ? vertices / 4 : vertices; }
 };
 
 /// Returns the vertices' displacements from `rest` to `shape`. If `shape` is null, returns an empty vector.
