@@ -10,6 +10,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "cages/capture.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
 #include "formats/format_table.h"
@@ -87,7 +88,13 @@ int make_cage(const CageOptions& options) {
   base::Stopwatch watch;
   cages::Made made;
   try {
-    made = cages::make(model.surface, options.wish, pool, &work->progress());
+    if (model.splats) {
+      const auto [core, note] = cages::core_of(mesh::lent(model.surface), *model.splats);
+      made = cages::make(*core, options.wish, pool, &work->progress());
+      if (!note.empty()) made.notes.push_back(note);
+    } else {
+      made = cages::make(model.surface, options.wish, pool, &work->progress());
+    }
   } catch (const base::Error& error) {
     throw base::Error(options.model.string(), error.problem(), error.advice());
   }

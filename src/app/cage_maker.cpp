@@ -25,9 +25,15 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
   progress.section(0, is_preview ? 1 : 0.7);
   {
     base::WorkerPool pool;
-    if (!workshop.maker) workshop.maker.emplace(workshop.model);
+    if (!workshop.maker) {
+      auto core = workshop.splats ? cages::core_of(workshop.model, *workshop.splats)
+                                  : cages::CaptureCore{workshop.model, ""};
+      workshop.maker.emplace(std::move(core.surface));
+      workshop.note = std::move(core.note);
+    }
     cages::Made made = workshop.maker->make(wish, pool, &progress);
     all.notes = std::move(made.notes);
+    if (!workshop.note.empty()) all.notes.push_back(workshop.note);
     all.surface = document::generated_surface(std::move(made.surface), "made here");
   }
   if (!is_preview) progress.section(0.7, 0.75);

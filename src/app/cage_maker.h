@@ -8,6 +8,7 @@
 
 #include "app/view_model.h"
 #include "base/background.h"
+#include "cages/capture.h"
 #include "cages/make.h"
 #include "workspace/workspace.h"
 
@@ -43,6 +44,7 @@ private:
     std::shared_ptr<const mesh::Surface> model;
     std::shared_ptr<const mesh::Splats> splats;
     std::optional<cages::Maker> maker{};
+    std::string note{};  // about splats that the cage ignores
   };
   void start(const workspace::Workspace& workspace, cages::Effort effort);
   void take(workspace::Workspace& workspace, Made&& made);
