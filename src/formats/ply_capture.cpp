@@ -79,7 +79,8 @@ public:
       find_changes(v, source);
       const std::string_view row = rows_[source];
       file_.form.text ? write_text(row, source) : write_binary(row, source);
-      const bool ended = row.ends_with('\n') || row.ends_with('\r');
+      // The line end of the last row may be missing.
+      const bool ended = source + 1 < file_.vertices.count || row.ends_with('\n') || row.ends_with('\r');
       if (file_.form.text && !ended && v + 1 < count) out_.text("\n");
       out_.element_done(v + 1, count);
     }

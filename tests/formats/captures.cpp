@@ -152,7 +152,7 @@ TEST_CASE("numbers_of_splats_may_have_any_type") {
       "property uchar opacity\nproperty double scale_0\nproperty int scale_1\nproperty short "
       "scale_2\nproperty "
       "char rot_0\nproperty float rot_1\nproperty float rot_2\nproperty float rot_3\nend_header\n"
-      "0 0 0 3 -4.125 -5 -6 1 0 0 0\n1.50 0 0 4 -4.5 -5 -6 1 0 0 0\n";
+      "0 0 0 3 -4.125 -5 -6 1 0 0 0\n 1.50 0 0 4 -4.5 -5 -6 1 0 0 0\n";
   const ReadResult r = test::read_kept(bytes, "ply");
   CHECK(r.splats->log_scales[0] == std::array<float, 3>{-4.125F, -5, -6});
   CHECK(warns(r, "no colours (f_dc_0 to f_dc_2)"));
