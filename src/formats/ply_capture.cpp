@@ -14,6 +14,11 @@ namespace viete::formats {
 
 namespace {
 
+// Returns the largest degree, at most 3, whose harmonics are all among this number of harmonics.
+int whole_degree(std::size_t harmonics) {
+  return harmonics >= 15 ? 3 : harmonics >= 8 ? 2 : harmonics >= 3 ? 1 : 0;
+}
+
 // The rows of the vertices in the file.
 class Rows {
 public:
@@ -243,7 +248,7 @@ mesh::Splats PlySplats::allocate(const std::string& file, std::size_t count) con
   base::require_memory({static_cast<double>(sizeof(float) * properties.size() * count),
                         base::counted(count, "splat") + " take",
                         "use a computer with more memory, or remove splats in another program", file});
-  resize(splats, count);
+  splats.resize(count);
   return splats;
 }
 

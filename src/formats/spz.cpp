@@ -15,7 +15,6 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "formats/codecs.h"
-#include "formats/splat_columns.h"
 #include "formats/surface_builder.h"
 
 namespace viete::formats {
@@ -241,7 +240,7 @@ Quaternion unit_quaternion(const Quaternion& q) {
 mesh::Splats unpacked_spz(const SpzLayout& layout, const char* bytes) {
   mesh::Splats splats;
   splats.degree = std::min(layout.file_degree, 3);
-  resize(splats, layout.count);
+  splats.resize(layout.count);
   const std::size_t bands = splats.bands();
   base::for_blocks(layout.count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
