@@ -436,8 +436,8 @@ ReadResult read_spz(const Source& source) {
   }
   if (layout.file_degree > 3)
     builder.warn(source.name + ": harmonics above degree 3 are kept, but neither drawn nor turned");
+  builder.splats(std::make_shared<const mesh::Splats>(unpacked_spz(layout, content.data())));
   ReadResult result = builder.finish("SPZ version " + std::to_string(layout.version));
-  result.splats = std::make_shared<const mesh::Splats>(unpacked_spz(layout, content.data()));
   if (source.owner)
     result.original = std::make_shared<const SpzOriginal>(source, layout, std::move(content),
                                                           std::move(extensions), result.splats);
