@@ -45,7 +45,7 @@ copy_licences() {
   mkdir -p "$1"
   cp "$here/LICENSE" "$1/viete.txt"
   for p in libglfw3-dev libopenmesh-dev libstb-dev libimgui-dev libglm-dev libeigen3-dev libhwy-dev libcli11-dev \
-    nlohmann-json3-dev zlib1g-dev pybind11-dev libgcc-s1 fonts-inter fonts-jetbrains-mono; do
+    nlohmann-json3-dev pybind11-dev libgcc-s1 fonts-inter fonts-jetbrains-mono; do
     [ ! -r "/usr/share/doc/$p/copyright" ] || cp "/usr/share/doc/$p/copyright" "$1/$p.txt"
   done
 }
@@ -74,8 +74,8 @@ build_portable() {
     [ ! -r "/usr/share/fonts/$font" ] || cp "/usr/share/fonts/$font" "$folder/share/fonts/$font"
   done
   copy_licences "$folder/share/licences"
-  needs_only "$folder/viete" libglfw.so.3
-  needs_only "$folder/viete-bench"
+  needs_only "$folder/viete" libglfw.so.3 libz.so.1
+  needs_only "$folder/viete-bench" libz.so.1
   needs_only "$folder/lib/libglfw.so.3" libX11.so.6
   made=$here/build-portable/viete-$version-linux-$(uname -m).tar.xz
   XZ_OPT=-6e tar -C "$work" --owner=root:0 --group=root:0 --sort=name -cJf "$made" "viete-$version"
@@ -88,7 +88,7 @@ build_wheel() {
   static_build viete_python build-wheel -DVIETE_BUILD_PYTHON=ON
   set -- "$here"/build-wheel/python/viete.cpython-*.so
   module=$1
-  needs_only "$module" libstdc++.so.6 libgcc_s.so.1
+  needs_only "$module" libstdc++.so.6 libgcc_s.so.1 libz.so.1
   python=$(basename "$module" | sed 's/.*cpython-\([0-9]*\).*/cp\1/')
   libc=$(getconf GNU_LIBC_VERSION | sed 's/glibc //; s/\./_/')
   # Before 2.12, pybind11 reads arrays of numpy 1 only.

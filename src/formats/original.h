@@ -68,7 +68,7 @@ struct Companions {
   std::vector<std::filesystem::path> files;  ///< absolute paths; some files can be missing
 };
 
-/// What a file stores of Gaussian splats.
+/// Tells whether a file stores Gaussian splats.
 enum class Capture {
   none,    ///< the file is not a capture
   points,  ///< a capture whose splats are not read: can be viewed as points, but not deformed

@@ -58,6 +58,7 @@ public:
         rows(element, [this](const PlyProperty& property, std::size_t p) { take(property, p); });
       }
     }
+    if (splats_) builder_.splats(splats_);
     if (values_.longer_rows() > 0)
       builder_.warn(values_.place_of_longer() + ": ignored extra values after the header's properties in " +
                     base::counted(values_.longer_rows(), "row"));
@@ -67,8 +68,6 @@ public:
 
   // Returns the vectors that can change when the file is written again. Call this after read().
   std::vector<FileVectors> take_vectors() { return std::move(vectors_); }
-  // Returns the splats, or null without splats. Call this after read().
-  std::shared_ptr<const mesh::Splats> splats() const { return splats_; }
   std::size_t first_row() const { return first_row_; }
 
 private:
@@ -477,14 +476,13 @@ ReadResult read_ply(const Source& source) {
   constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
   ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
   const bool is_text = header.format == PlyHeader::Format::ascii;
-  if (const auto splats = body.splats()) {
+  if (result.splats) {
     const PlyElement& vertices = *header.find("vertex");
-    result.splats = splats;
     result.original = original_of_capture(source, {{is_text, header.order()},
                                                    vertices,
                                                    PlySplats(vertices),
                                                    body.first_row(),
-                                                   splats,
+                                                   result.splats,
                                                    header.beyond_attributes()});
     if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
     return result;

@@ -14,6 +14,11 @@ namespace viete::formats {
 
 namespace {
 
+// Returns the largest degree, at most 3, whose harmonics are all among this number of harmonics.
+int whole_degree(std::size_t harmonics) {
+  return harmonics >= 15 ? 3 : harmonics >= 8 ? 2 : harmonics >= 3 ? 1 : 0;
+}
+
 // The rows of the vertices in the file.
 class Rows {
 public:
@@ -79,7 +84,8 @@ public:
       find_changes(v, source);
       const std::string_view row = rows_[source];
       file_.form.text ? write_text(row, source) : write_binary(row, source);
-      const bool ended = row.ends_with('\n') || row.ends_with('\r');
+      // The line end of the last row may be missing.
+      const bool ended = source + 1 < file_.vertices.count || row.ends_with('\n') || row.ends_with('\r');
       if (file_.form.text && !ended && v + 1 < count) out_.text("\n");
       out_.element_done(v + 1, count);
     }
@@ -242,7 +248,7 @@ mesh::Splats PlySplats::allocate(const std::string& file, std::size_t count) con
   base::require_memory({static_cast<double>(sizeof(float) * properties.size() * count),
                         base::counted(count, "splat") + " take",
                         "use a computer with more memory, or remove splats in another program", file});
-  resize(splats, count);
+  splats.resize(count);
   return splats;
 }
 

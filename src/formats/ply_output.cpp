@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formats/codecs.h"
-#include "formats/splat_columns.h"
+#include "formats/ply_capture.h"
 
 namespace viete::formats {
 

@@ -15,7 +15,6 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "formats/codecs.h"
-#include "formats/splat_columns.h"
 #include "formats/surface_builder.h"
 
 namespace viete::formats {
@@ -46,23 +45,21 @@ public:
   Gunzip& operator=(const Gunzip&) = delete;
   ~Gunzip() { inflateEnd(&stream_); }
 
-  // Returns fewer bytes at the end of the content or of the file, or if the file is damaged.
-  std::string read(std::size_t most) {
-    std::string out(most, '\0');
-    std::size_t size = 0;
-    while (works_ && !ended_ && size < most) {
-      constexpr std::size_t portion = 1 << 24;
+  // Appends `most` bytes, or fewer at the end of the content or of the file, or if the file is damaged.
+  void read(std::size_t most, std::string& to) {
+    constexpr std::size_t portion = 1 << 18;
+    while (works_ && !ended_ && most > 0) {
       if (stream_.avail_in == 0) feed(portion);
-      const std::size_t room = std::min(portion, most - size);
-      stream_.next_out = reinterpret_cast<Bytef*>(out.data() + size);
+      const std::size_t room = std::min(portion, most), size = to.size();
+      to.resize(size + room);
+      stream_.next_out = reinterpret_cast<Bytef*>(to.data() + size);
       stream_.avail_out = static_cast<uInt>(room);
       const int result = inflate(&stream_, Z_NO_FLUSH);
       ended_ = result == Z_STREAM_END;
       works_ = result == Z_OK || ended_;
-      size += room - stream_.avail_out;
+      to.resize(size + room - stream_.avail_out);
+      most -= to.size() - size;
     }
-    out.resize(size);
-    return out;
   }
 
   bool ended() const { return ended_; }
@@ -243,7 +240,7 @@ Quaternion unit_quaternion(const Quaternion& q) {
 mesh::Splats unpacked_spz(const SpzLayout& layout, const char* bytes) {
   mesh::Splats splats;
   splats.degree = std::min(layout.file_degree, 3);
-  resize(splats, layout.count);
+  splats.resize(layout.count);
   const std::size_t bands = splats.bands();
   base::for_blocks(layout.count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
@@ -291,6 +288,7 @@ public:
                             {&SpzLayout::scales, 3},
                             {&SpzLayout::rotations, from.rotation_bytes()},
                             {&SpzLayout::first_harmonic, 3 * from.harmonics()}};
+    bytes_[spz_header_bytes - 1] = bytes[spz_header_bytes - 1];  // reserved
     for (std::size_t v = 0; v < layout_.count; ++v) {
       const std::size_t source = source_of(v);
       bytes_.replace(spz_header_bytes + 9 * v, 9, bytes, spz_header_bytes + 9 * source, 9);
@@ -415,15 +413,17 @@ ReadResult read_spz(const Source& source) {
   if (!looks_like_spz(source))
     throw base::Error(source.name, "is not an SPZ file", "check the extension, or export the capture again");
   Gunzip file(source.bytes);
-  std::string content = file.read(spz_header_bytes);
+  std::string content, extensions;
+  file.read(spz_header_bytes, content);
   const SpzLayout layout = spz_layout(source, content);
   const std::size_t size = layout.end(), numbers = 11 + 3 * std::min(layout.harmonics(), std::size_t{15});
   base::require_memory(
       {static_cast<double>(size + layout.count * (sizeof(mesh::Point) + sizeof(float) * numbers)),
        base::counted(layout.count, "splat") + " take",
        "use a computer with more memory, or remove splats in another program", source.name});
-  content += file.read(size - spz_header_bytes);
-  std::string extensions = file.read(most_bytes_of_extensions);
+  content.reserve(size);
+  file.read(size - spz_header_bytes, content);
+  file.read(most_bytes_of_extensions, extensions);
   if (content.size() < size || !file.ended())
     throw base::Error(source.name, "the compressed data is damaged or ends early", "export or copy it again");
   SurfaceBuilder builder(source);
@@ -436,8 +436,8 @@ ReadResult read_spz(const Source& source) {
   }
   if (layout.file_degree > 3)
     builder.warn(source.name + ": harmonics above degree 3 are kept, but neither drawn nor turned");
+  builder.splats(std::make_shared<const mesh::Splats>(unpacked_spz(layout, content.data())));
   ReadResult result = builder.finish("SPZ version " + std::to_string(layout.version));
-  result.splats = std::make_shared<const mesh::Splats>(unpacked_spz(layout, content.data()));
   if (source.owner)
     result.original = std::make_shared<const SpzOriginal>(source, layout, std::move(content),
                                                           std::move(extensions), result.splats);
@@ -445,7 +445,10 @@ ReadResult read_spz(const Source& source) {
 }
 
 bool looks_like_spz(const Source& source) {
-  return source.bytes.starts_with("\x1F\x8B") && Gunzip(source.bytes).read(4) == "NGSP";
+  if (!source.bytes.starts_with("\x1F\x8B")) return false;
+  std::string signature;
+  Gunzip(source.bytes).read(4, signature);
+  return signature == "NGSP";
 }
 
 bool is_certainly_spz(const Beginning& file) {

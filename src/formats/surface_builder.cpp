@@ -47,7 +47,7 @@ ReadResult SurfaceBuilder::finish(std::string format) {
   if (short_polygons_ > 0)
     warn(source_.name + ": ignored " + base::counted(short_polygons_, "face") +
          " with fewer than three corners");
-  if (result_.surface.polygon_count() == 0)
+  if (result_.surface.polygon_count() == 0 && !result_.splats)
     warn(source_.name + ": the file has no faces, only a set of points");
   result_.format = std::move(format);
   triangulate(result_.surface);

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "formats/original.h"
 #include "formats/source.h"
@@ -29,6 +31,9 @@ public:
 
   /// Makes a polygon from the corners since the previous polygon. Drops polygons of fewer than three corners.
   void end_polygon();
+
+  /// Makes the result a capture: points without faces are then no reason for a warning.
+  void splats(std::shared_ptr<const mesh::Splats> splats) { result_.splats = std::move(splats); }
 
   /// Keeps the first 64 comments.
   void comment(std::string_view text);

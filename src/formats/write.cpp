@@ -94,11 +94,11 @@ Attributes converted(const Format& format, const Content& content, const Origina
   return now;
 }
 
-[[noreturn]] void refuse_splats(const fs::path& file) {
+[[noreturn]] void refuse_splats(const fs::path& file, const char* advice) {
   throw base::Error(file.string(),
                     "the model is a capture (Gaussian splats), whose sizes, rotations and colours would not "
                     "follow the deformation",
-                    "convert the capture to .ply or .spz with complete splats in another program");
+                    advice);
 }
 
 // Copies external files to the folder of the new file. Adds the copies to `written`. Does not copy files
@@ -148,7 +148,8 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   check_written(path.string(), content.positions);
   if (!content.is_at_rest()) {
     check_deformable(path, original);
-    if (original && original->capture() != Capture::none && !content.splats) refuse_splats(path);
+    if (original && original->capture() != Capture::none && !content.splats)
+      refuse_splats(path, "deform the capture with its splats, not only its points");
   }
   if (writes_itself(original, path)) return original->write_file(path, content, digits, progress);
   const Format& format = surface_format(path);
@@ -190,7 +191,8 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
 }
 
 void check_deformable(const fs::path& file, const Original* original) {
-  if (original && original->capture() == Capture::points) refuse_splats(file);
+  if (original && original->capture() == Capture::points)
+    refuse_splats(file, "convert the capture to .ply or .spz with complete splats in another program");
 }
 
 void check_keeps_vertices(const std::filesystem::path& path) {

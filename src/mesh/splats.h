@@ -26,6 +26,14 @@ struct Splats {
   std::size_t size() const { return opacities.size(); }
   /// The number of harmonics besides the constant one: 0, 3, 8 or 15.
   std::size_t bands() const { return static_cast<std::size_t>(degree * (degree + 2)); }
+  /// Sets the number of splats. `degree` must be set before.
+  void resize(std::size_t count) {
+    log_scales.resize(count);
+    rotations.resize(count);
+    opacities.resize(count);
+    colors.resize(count);
+    harmonics.resize(3 * bands() * count);
+  }
 };
 
 }  // namespace viete::mesh

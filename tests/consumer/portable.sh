@@ -32,8 +32,8 @@ needs() {
     wrong "$1 needs these libraries"
   return 0
 }
-needs viete 'libglfw\.so\.3'
-needs viete-bench ''
+needs viete 'libglfw\.so\.3|libz\.so\.1'
+needs viete-bench 'libz\.so\.1'
 needs lib/libglfw.so.3 'libX11\.so\.6'
 readelf -d "$here/viete" | grep -q 'R.*PATH.*\[$ORIGIN/lib\]' || wrong "viete does not look for libraries in lib"
 

@@ -24,7 +24,7 @@ for file in viete-stubs/__init__.pyi "viete-$version.dist-info/METADATA" "viete-
   test -s "$file" || wrong "$wheel has no $file"
 done
 others=$(readelf -d viete.*.so | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' |
-  grep -v -x -E 'lib(c|m)\.so\.6|libstdc\+\+\.so\.6|libgcc_s\.so\.1|ld-linux.*' || true)
+  grep -v -x -E 'lib(c|m)\.so\.6|libstdc\+\+\.so\.6|libgcc_s\.so\.1|libz\.so\.1|ld-linux.*' || true)
 [ -z "$others" ] || wrong "the module needs $others"
 
 export PYTHONPATH="$work/site packages" PYTHONDONTWRITEBYTECODE=1

@@ -1,5 +1,7 @@
 // The fuzzer of all formats. The name of the corpus folder, the first argument, selects the check. The
 // functions below are called by libFuzzer if VIETE_LIBFUZZER is set, otherwise by driver.cpp.
+#include <zlib.h>
+
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -55,10 +57,27 @@ Check reads(fuzz::Reader* reader, std::size_t placed = 0) {
   return [=](std::string_view bytes) { fuzz::check_reader(reader, placed, bytes); };
 }
 
+// The corpus has uncompressed contents, because changes of compressed bytes only break the checksum.
+void check_spz(std::string_view bytes) {
+  fuzz::check_reader(formats::read_spz, 0, bytes);
+  std::string packed(bytes.size() + 1024, '\0');
+  z_stream stream{};
+  require(deflateInit2(&stream, 1, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY) == Z_OK);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  require(deflate(&stream, Z_FINISH) == Z_STREAM_END);
+  packed.resize(packed.size() - stream.avail_out);
+  deflateEnd(&stream);
+  fuzz::check_reader(formats::read_spz, bytes.size(), packed);
+}
+
 const std::map<std::string, Check> checks = {{"obj", reads(formats::read_obj)},
                                              {"ply", reads(formats::read_ply)},
                                              {"off", reads(formats::read_off)},
                                              {"stl", reads(formats::read_stl)},
+                                             {"spz", check_spz},
                                              {"gltf", reads(formats::read_gltf, 1 << 22)},
                                              {"mtl", check_materials},
                                              {"point_cache", check_point_cache},

@@ -1,5 +1,7 @@
 #include <cmath>
 #include <memory>
+#include <numeric>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,10 +49,11 @@ void check_attributes(const ReadResult& read) {
   }
 }
 
-std::string written_again(const ReadResult& read, const std::vector<Point>& positions) {
+std::string written_again(const ReadResult& read, const std::vector<Point>& positions,
+                          const Splats* splats = nullptr, std::span<const std::uint32_t> sources = {}) {
   std::string all;
   TextWriter out([&](std::string_view portion) { all += portion; });
-  read.original->write({read.surface, positions, {}}, out);
+  read.original->write({read.surface, positions, {}, nullptr, splats, sources}, out);
   out.finish();
   return all;
 }
@@ -65,6 +68,45 @@ void check_moved(const ReadResult& read, Reader* reader) {
   // STL has no shared vertices. The glTF reader merges vertices that coincide after the motion.
   if (!read.format.starts_with("STL") && !read.format.starts_with("glTF"))
     require(again.surface.corners == read.surface.corners);
+}
+
+struct Codec {
+  void (*write)(const Content&, TextWriter&);
+  ReadResult (*read)(const Source&);
+};
+
+// Repeats a splat, writes the file and reads it again. Converts the capture to both formats.
+void check_splats(const ReadResult& read, Reader* reader, std::string_view bytes) {
+  if (!read.splats) return;
+  Splats splats = *read.splats;
+  const std::size_t count = splats.size(), harmonics = 3 * splats.bands();
+  require(count == read.surface.positions.size() && splats.log_scales.size() == count);
+  require(splats.rotations.size() == count && splats.colors.size() == count);
+  require(splats.harmonics.size() == harmonics * count);
+  require(written_again(read, read.surface.positions, &splats) == bytes);
+  std::vector<std::uint32_t> sources(count);
+  std::iota(sources.begin(), sources.end(), 0U);
+  sources.push_back(0);
+  std::vector<Point> positions = read.surface.positions;
+  positions.push_back(positions[0]);
+  splats.rotations.push_back({1, 0, 0, 0});
+  splats.log_scales.push_back({-1, -2, -3});
+  splats.opacities.push_back(1);
+  splats.colors.push_back({0, 1, 0});
+  splats.harmonics.resize(harmonics * (count + 1));
+  require(reader(Source{"fuzz", "", written_again(read, positions, &splats, sources)}).splats->size() ==
+          count + 1);
+  for (const auto& [write, read_again] : {Codec{write_ply, read_ply}, Codec{write_spz, read_spz}}) {
+    std::string converted;
+    TextWriter out([&](std::string_view portion) { converted += portion; });
+    try {
+      write({read.surface, read.surface.positions, {}, nullptr, read.splats.get()}, out);
+      out.finish();
+      require(read_again(Source{"fuzz", "", converted}).splats->size() == count);
+    } catch (const viete::base::Error& error) {  // positions beyond the range of float or SPZ
+      require(!error.place().empty());
+    }
+  }
 }
 
 // An animation must have a position for each vertex at every moment.
@@ -83,16 +125,12 @@ ReadResult read_back(ReadResult (*read)(const Source&), const std::string& bytes
 
 // Writes the surface in every format. Each file must be readable, with equal polygons.
 void check_converted(const ReadResult& read) {
-  struct Format {
-    void (*write)(const Content&, TextWriter&);
-    ReadResult (*read)(const Source&);
-  };
   if (read.original) read.original->beyond_attributes();
   Attributes a;
   if (read.attributes) a = deformed_attributes(read.surface, read.surface.positions, *read.attributes);
   const Content content{read.surface, read.surface.positions, read.comments, &a};
-  for (const Format& format : {Format{write_obj, read_obj}, Format{write_ply, read_ply},
-                               Format{write_off, read_off}, Format{write_glb, read_gltf}}) {
+  for (const Codec& format : {Codec{write_obj, read_obj}, Codec{write_ply, read_ply},
+                              Codec{write_off, read_off}, Codec{write_glb, read_gltf}}) {
     const bool glb = format.write == write_glb;
     std::string bytes;
     TextWriter out([&](std::string_view portion) { bytes += portion; });
@@ -124,6 +162,7 @@ void viete::fuzz::check_reader(Reader* reader, std::size_t placed, std::string_v
       check_moved(read, reader);
     }
     check_invariants(read.surface, bytes.size(), placed);
+    if (bytes.size() < 20000) check_splats(read, reader, bytes);
     if (bytes.size() < 20000) {
       check_morphs(read);
       summarize(read.surface);

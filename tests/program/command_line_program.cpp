@@ -255,6 +255,16 @@ TEST_CASE("info_names_counts_and_goes_on_after_a_file_that_cannot_be_read") {
     CHECK(mentions(outcome, part));
 }
 
+TEST_CASE("info_describes_the_splats_of_a_capture") {
+  const WorkFolder f;
+  const auto outcome = f.viete("info " + quoted(source_dir() / "tests/fuzz/corpus/ply/capture_ascii.ply"));
+  CHECK(outcome.code == 0);
+  CHECK(mentions(outcome, "  splats      2, harmonics of degree 1\n"));
+  CHECK(mentions(outcome, "  opacity     below 0.05 in 50 % of the splats\n"));
+  CHECK(mentions(outcome, "  up          -y in most captures\n"));
+  CHECK_FALSE(mentions(outcome, "cannot be deformed"));
+}
+
 TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_fin") {
   const WorkFolder f;
   formats::write(f / "model.obj", cube(1));

@@ -13,7 +13,7 @@ root=$folder/root
 if [ ! -e "$root/lib/ld-linux-aarch64.so.1" ]; then
   rm -rf "$root"
   mmdebstrap --variant=extract --architectures=arm64 --quiet --include="libc6-dev,libstdc++-$(aarch64-linux-gnu-g++ -dumpversion)-dev,
-    libglfw3-dev,libglm-dev,libeigen3-dev,libhwy-dev,libimgui-dev,libopenmesh-dev,libstb-dev,libcli11-dev,nlohmann-json3-dev,libegl-dev,
+    libglfw3-dev,libglm-dev,libeigen3-dev,libhwy-dev,libimgui-dev,libopenmesh-dev,libstb-dev,libcli11-dev,nlohmann-json3-dev,zlib1g-dev,libegl-dev,
     libgl-dev,doctest-dev,libtinygltf-dev" "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root"
   cp -a "$root/lib/." "$root/usr/lib/" && rm -r "$root/lib" && ln -s usr/lib "$root/lib"
 fi

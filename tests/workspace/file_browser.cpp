@@ -55,7 +55,7 @@ TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {
        {FileBrowser::Purpose::model, FileBrowser::Purpose::cage, FileBrowser::Purpose::save_model}) {
     show(browser, purpose, folder.path());
     CHECK(names(browser) == "a.stl b.obj ");
-    CHECK(browser.formats().size() == 6);
+    CHECK(browser.formats().size() == 7);
   }
   for (const auto purpose : {FileBrowser::Purpose::pose, FileBrowser::Purpose::save_pose}) {
     show(browser, purpose, folder.path());
@@ -157,7 +157,7 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   const test::TemporaryFolder folder;
   FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
-  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL or PNG");
+  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, SPZ or PNG");
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
   for (const char* name : {"f_2.obj", "f_3.obj", "f_4.obj"}) test::put_file(folder / name, "");
   const std::string proposed = browser.path;

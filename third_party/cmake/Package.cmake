@@ -31,7 +31,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libviete-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "g++, cmake | pkgconf, libeigen3-dev, libhwy-dev")
 if(VIETE_BUILD_VIEWER)
-  set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libopenmesh-dev, libstb-dev")  # linked by viete::deform
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libopenmesh-dev, libstb-dev, zlib1g-dev")  # linked by viete::deform
 endif()
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "functions of symmetric 3x3 matrices, one or millions
 Exponential, logarithm, roots, powers and eigenvalues of symmetric 3x3
