@@ -20,7 +20,7 @@ namespace {
 
 using mesh::none;
 
-constexpr std::size_t triangles_per_splat = 100;  // that take the time of a splat to draw
+constexpr std::size_t triangles_per_splat = 40;  // that take the time of a splat to draw
 
 class LooksMaker {
 public:
@@ -262,8 +262,9 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
   capture_ = shading.splats;
   draft_step_ = shading.draft_step;
   spacing_ = shading.spacing;
-  splats_.set_looks(capture_ ? capture_->looks : nullptr);
+  splats_.reset();
   if (capture_) {
+    splats_.emplace(gl_).set_looks(capture_->looks);
     surface_.set_triangles({}, 0);
   } else {
     surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles,
@@ -328,8 +329,8 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
   if (wanted.by_mask) scalars = wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f);
   if (!wanted.by_mask && wanted.field) scalars = *wanted.field;
   if (capture_) {
-    splats_.set_palette(palette);
-    splats_.set_scalars(scalars);
+    splats_->set_palette(palette);
+    splats_->set_scalars(scalars);
     return true;
   }
   surface_.set_palette(palette);
@@ -343,7 +344,7 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
 
 void ModelLayer::draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style,
                       bool coarse) {
-  if (capture_) return splats_.draw(view, style, coarse ? draft_step_ : 1);
+  if (splats_) return splats_->draw(view, style, coarse ? draft_step_ : 1);
   render::SurfaceStyle of_points = style;
   of_points.spacing = static_cast<float>(spacing_);
   (coarse && draft_ ? coarse_ : surface_).draw(view, theme, of_points);

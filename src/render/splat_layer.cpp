@@ -82,7 +82,7 @@ void sort_back_to_front(std::span<const float> depths, std::vector<std::uint32_t
   std::transform(items.begin(), items.end(), order.begin(), [](const Item& item) { return item.index; });
 }
 
-// What all splats of a picture have in common, for positions relative to the origin.
+// The input of a projection that all splats share, for positions relative to the origin.
 struct SplatLayer::Frame {
   Frame(const Drawn& input, const Point& origin)
       : drawn(input), grow(std::sqrt(static_cast<float>(input.step))) {
@@ -215,7 +215,7 @@ bool SplatLayer::project(const Frame& frame, std::size_t splat, Ellipse& ellipse
   // The determinant without cancellation, for needles: the sum of the squared minors of the rows, and blur.
   const glm::vec3 minors = glm::cross(rows[0], rows[1]);
   const float determinant = glm::dot(minors, minors) + blur * (a + c - blur);
-  const float variance = 0.5F * (a + c) + std::hypot(0.5F * (a - c), b);
+  const float variance = 0.5F * (a + c) + glm::length(glm::vec2(0.5F * (a - c), b));
   glm::vec2 axis = a >= c ? glm::vec2(variance - c, b) : glm::vec2(b, variance - a);
   const float length = glm::length(axis);
   axis = length > 0 ? axis / length : glm::vec2(1, 0);

@@ -115,7 +115,7 @@ TEST_CASE("the_cage_is_drawn_over_a_capture_and_a_dragged_vertex_bends_it") {
 TEST_CASE("large_captures_move_with_fewer_splats_and_rest_with_all") {
   auto options = test::small_options();
   options.may_be_coarse = true;
-  options.moving_triangles = 60'000;
+  options.moving_triangles = 24'000;
   Scene scene(capture_of_ball(4), options);
   scene.d.workspace().preferences.coarse_motion = false;
   scene.look(0.1F);

@@ -157,3 +157,22 @@ TEST_CASE("shadow_is_invisible_from_below_and_without_finite_vertices") {
   s.shadow.set_vertices(lost, {0, 0, 0});
   CHECK(darkest(s.seen_from({0, 12, 12}, {0, 1, 0})) >= 254);
 }
+
+TEST_CASE("points_on_a_ball_cast_its_shadow") {
+  Standing of_triangles(1), of_points(1);
+  std::vector<test::Point> spiral;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < 30'000; ++i) {
+    const double z = (2.0 * i + 1) / 30'000 - 1, turn = 2.399963 * i, r = std::sqrt(1 - z * z);
+    spiral.push_back({2 * r * std::cos(turn), 2 + 2 * z, 2 * r * std::sin(turn)});
+    all.push_back(i);
+  }
+  of_points.shadow.set_points(all, spiral);
+  const auto darkness = [](Standing& scene) {
+    return 320 * 200 - test::lit_area(scene.seen_from({0, 20, 0.01}, {0, 1, 0}));
+  };
+  CHECK(darkness(of_triangles) > 50);
+  CHECK(darkness(of_points) == doctest::Approx(darkness(of_triangles)).epsilon(0.15));
+  of_points.shadow.set_points({}, spiral);
+  CHECK(darkness(of_points) == 0);
+}
