@@ -154,24 +154,30 @@ void SplatLayer::set_palette(std::span<const glm::vec3> colors) {
 }
 
 glm::vec3 SplatLayer::color_of(const Frame& frame, std::size_t splat) const {
-  if (frame.drawn.scalars) {
-    const float range = frame.drawn.high - frame.drawn.low;
-    const float share = range > 0 ? (scalars_[splat] - frame.drawn.low) / range : 0;
-    const float at = share > 0 ? std::min(share, 1.0F) * static_cast<float>(palette_.size() - 1) : 0;
-    const auto key = std::min(static_cast<std::size_t>(at), palette_.size() - 2);
-    return glm::mix(palette_[key], palette_[key + 1], at - static_cast<float>(key));
-  }
   const std::array<float, 3>& constant = looks_->colors[splat];
   glm::vec3 color(constant[0], constant[1], constant[2]);
-  if (looks_->degree == 0) return color;
-  const float* p = vertices_[splat].position;
-  const glm::vec3 d = frame.perspective ? glm::normalize(glm::vec3(p[0], p[1], p[2]) - frame.eye) : frame.eye;
-  const auto at = harmonics_at(turns_.empty() ? d : turned_back(turns_[splat], d), looks_->degree);
   const auto bands = static_cast<std::size_t>(looks_->degree * (looks_->degree + 2));
-  const float* factors = looks_->harmonics->data() + 3 * bands * splat;
-  for (int channel = 0; channel < 3; ++channel, factors += bands)
-    for (std::size_t i = 0; i < bands; ++i) color[channel] += factors[i] * at[i];
-  return color;
+  if (bands > 0) {
+    const float* p = vertices_[splat].position;
+    const glm::vec3 d =
+        frame.perspective ? glm::normalize(glm::vec3(p[0], p[1], p[2]) - frame.eye) : frame.eye;
+    const auto at = harmonics_at(turns_.empty() ? d : turned_back(turns_[splat], d), looks_->degree);
+    const float* factors = looks_->harmonics->data() + 3 * bands * splat;
+    for (int channel = 0; channel < 3; ++channel, factors += bands)
+      for (std::size_t i = 0; i < bands; ++i) color[channel] += factors[i] * at[i];
+  }
+  return frame.drawn.scalars ? map_color(frame, splat, glm::dot(color, glm::vec3(0.30F, 0.59F, 0.11F)))
+                             : color;
+}
+
+// A map without any light and shade would show only an outline.
+glm::vec3 SplatLayer::map_color(const Frame& frame, std::size_t splat, float brightness) const {
+  const float range = frame.drawn.high - frame.drawn.low;
+  const float share = range > 0 ? (scalars_[splat] - frame.drawn.low) / range : 0;
+  const float at = share > 0 ? std::min(share, 1.0F) * static_cast<float>(palette_.size() - 1) : 0;
+  const auto key = std::min(static_cast<std::size_t>(at), palette_.size() - 2);
+  const float light = brightness > 0 ? std::min(1.5F * brightness, 1.0F) : 0;
+  return (0.55F + 0.45F * light) * glm::mix(palette_[key], palette_[key + 1], at - static_cast<float>(key));
 }
 
 // Returns false if the splat is not visible.

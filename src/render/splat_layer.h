@@ -50,7 +50,8 @@ public:
   /// empty, colours are not turned. Splats that are not finite are not drawn.
   void set_splats(std::span<const SurfaceVertex> vertices, const Point& origin,
                   std::span<const SplatShape> shapes, std::span<const SplatTurn> turns);
-  /// Sets one value per splat, in any range (see SurfaceStyle). If empty, removes the scalars.
+  /// Sets one value per splat, in any range (see SurfaceStyle). If empty, removes the scalars. Splats that
+  /// are dark without scalars get darker colours of the palette.
   void set_scalars(std::span<const float> scalars);
   /// Sets at least 2 colours, as displayed. The colours are evenly spaced and interpolated.
   void set_palette(std::span<const glm::vec3> colors);
@@ -76,6 +77,7 @@ private:
   void project(const Drawn& drawn);
   bool project(const Frame& frame, std::size_t splat, Ellipse& ellipse, float& depth) const;
   glm::vec3 color_of(const Frame& frame, std::size_t splat) const;
+  glm::vec3 map_color(const Frame& frame, std::size_t splat, float brightness) const;
   void upload();
   void blend(glm::ivec2 size);
 
