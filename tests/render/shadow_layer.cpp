@@ -134,6 +134,17 @@ TEST_CASE("shadow_is_on_the_ground_below_the_model_whichever_axis_is_up") {
   }
 }
 
+TEST_CASE("shadow_is_above_the_model_if_the_axis_points_down") {
+  Standing s(1);
+  s.style.down = true;
+  s.style.center = {0, 4, 0};
+  const render::Image image = s.seen_from({0, -12, 12}, {0, -1, 0});
+  const glm::ivec2 foot = s.stage.pixel_of({0, 4, 0});
+  CHECK(image.pixel(foot.x, foot.y)[0] < 190);
+  s.style.down = false;
+  CHECK(s.seen_from({0, -12, 12}, {0, -1, 0}).pixel(foot.x, foot.y)[0] >= 254);
+}
+
 TEST_CASE("shadow_follows_the_model") {
   Standing s(1);
   const glm::dvec3 eye(0, 14, 10);
