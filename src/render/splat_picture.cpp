@@ -67,24 +67,55 @@ struct Pixel {
   glm::vec3 color{0};
   float through = 1;  // transparency
   float depth = 1;
+  int skip = 0;  // if the pixel is complete: the distance to a later pixel; those between are complete
 };
 
-// Adds the splat to a row of pixels. `dy` is the distance of the row from the centre of the splat.
-void add(const Spread& splat, float dy, std::span<Pixel> row, const Falloff& falloff) {
-  const float of_y = splat.square_y * dy * dy;
-  if (of_y >= splat.limit) return;
-  const auto width = static_cast<int>(row.size());
-  const float middle = splat.center.x + splat.slant * dy;
-  const float half = std::sqrt((splat.limit - of_y) / splat.square_x);
-  const int end = first_pixel(middle + half, width);
-  for (int x = first_pixel(middle - half, width); x < end; ++x) {
-    Pixel& pixel = row[static_cast<std::size_t>(x)];
-    if (pixel.through < least_through) continue;
-    const float dx = static_cast<float>(x) + 0.5F - middle;
-    const float square = std::min(splat.square_x * dx * dx + of_y, splat.limit);
-    pixel.add(std::min(0.99F, splat.opacity * falloff(square)), splat.color, splat.depth);
+// Some rows of the picture.
+class Band {
+public:
+  Band(int low, int high, int width)
+      : low_(low),
+        width_(width),
+        open_((high - low) * width),
+        pixels_(static_cast<std::size_t>((high - low) * stride())) {}
+
+  bool is_complete() const { return open_ == 0; }
+  std::span<const Pixel> row(int y) const {
+    return std::span(pixels_).subspan(static_cast<std::size_t>((y - low_) * stride()),
+                                      static_cast<std::size_t>(width_));
   }
-}
+
+  // Adds the splat to the row y.
+  void add(const Spread& splat, int y, const Falloff& falloff) {
+    const float dy = static_cast<float>(y) + 0.5F - splat.center.y, of_y = splat.square_y * dy * dy;
+    if (of_y >= splat.limit) return;
+    Pixel* row = &pixels_[static_cast<std::size_t>((y - low_) * stride())];
+    const float middle = splat.center.x + splat.slant * dy;
+    const float half = std::sqrt((splat.limit - of_y) / splat.square_x);
+    const int end = first_pixel(middle + half, width_);
+    for (int x = open_pixel(row, first_pixel(middle - half, width_)); x < end; x = open_pixel(row, x + 1)) {
+      const float dx = static_cast<float>(x) + 0.5F - middle;
+      const float square = std::min(splat.square_x * dx * dx + of_y, splat.limit);
+      row[x].add(std::min(0.99F, splat.opacity * falloff(square)), splat.color, splat.depth);
+      if (row[x].through >= least_through) continue;
+      row[x].skip = 1;
+      --open_;
+    }
+  }
+
+private:
+  int stride() const { return width_ + 1; }  // a row ends with a pixel that is never complete
+  // Returns the first pixel from x on that is not complete, in nearly constant time.
+  static int open_pixel(Pixel* row, int x) {
+    int at = x;
+    while (row[at].skip > 0) at += row[at].skip;
+    if (at > x) row[x].skip = at - x;
+    return at;
+  }
+
+  int low_, width_, open_;
+  std::vector<Pixel> pixels_;
+};
 
 }  // namespace
 
@@ -112,23 +143,21 @@ void SplatPicture::blend(std::span<const Ellipse> ellipses, glm::ivec2 size) {
 
 void SplatPicture::blend_band(std::span<const Ellipse> ellipses, int low, int high) {
   static const Falloff falloff;
-  const auto width = static_cast<std::size_t>(size_.x);
-  std::vector<Pixel> pixels(static_cast<std::size_t>(high - low) * width);
-  for (std::size_t i = 0; i < ellipses.size(); ++i) {
+  Band band(low, high, size_.x);
+  for (std::size_t i = 0; i < ellipses.size() && !band.is_complete(); ++i) {
     const int begin = std::max(rows_[i].low, low), end = std::min(rows_[i].high, high);
     if (begin >= end) continue;
     const Spread splat(ellipses[i], size_);
-    for (int y = begin; y < end; ++y)
-      add(splat, static_cast<float>(y) + 0.5F - splat.center.y,
-          std::span(pixels).subspan(static_cast<std::size_t>(y - low) * width, width), falloff);
+    for (int y = begin; y < end; ++y) band.add(splat, y, falloff);
   }
-  const std::size_t first = static_cast<std::size_t>(low) * width;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const glm::vec4 shown = 255.0F * glm::min(glm::vec4(pixels[i].color, 1 - pixels[i].through), 1.0F) + 0.5F;
-    for (int k = 0; k < 4; ++k)
-      colors_[first + i][static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(shown[k]);
-    depths_[first + i] = pixels[i].depth;
-  }
+  std::size_t at = static_cast<std::size_t>(low) * static_cast<std::size_t>(size_.x);
+  for (int y = low; y < high; ++y)
+    for (const Pixel& pixel : band.row(y)) {
+      const glm::vec4 shown = 255.0F * glm::min(glm::vec4(pixel.color, 1 - pixel.through), 1.0F) + 0.5F;
+      for (int k = 0; k < 4; ++k)
+        colors_[at][static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(shown[k]);
+      depths_[at++] = pixel.depth;
+    }
 }
 
 }  // namespace viete::render
