@@ -188,13 +188,14 @@ std::vector<std::uint32_t> shadow_vertices(std::size_t count, const ModelSplats*
   return vertices;
 }
 
+// Points that are not finite stay so.
 std::vector<render::SurfaceVertex> drawn_vertices(const mesh::Point& origin,
                                                   std::span<const mesh::Point> points) {
   std::vector<render::SurfaceVertex> vertices;
   vertices.reserve(points.size());
   for (const mesh::Point& point : points) {
-    const glm::vec3 p = render::relative(point, origin);
-    vertices.push_back({{p.x, p.y, p.z}, {}});
+    const mesh::Point p = point - origin;
+    vertices.push_back({{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}, {}});
   }
   return vertices;
 }
@@ -230,7 +231,7 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
     shading.surface = surface;
     shading.splats = std::make_shared<const ModelSplats>(splats_of(model.splats));
     const std::size_t most = std::max<std::size_t>(moving / triangles_per_splat, 1);
-    shading.draft_step = (model.splats->size() + most - 1) / most;
+    shading.draft_step = std::max<std::size_t>((model.splats->size() + most - 1) / most, 1);
     return shading;
   }
   if (surface->triangles.empty()) shading.spacing = mesh::point_spacing(surface->positions);

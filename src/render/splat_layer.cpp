@@ -52,6 +52,14 @@ std::uint16_t stored(float value, float most) {
   return static_cast<std::uint16_t>(value > 0 ? 65535 * std::min(value / most, 1.0F) + 0.5F : 0);  // NaN: 0
 }
 
+template <class T>
+void copy(std::span<const T> from, std::vector<T>& to) {
+  to.resize(from.size());
+  base::for_blocks(from.size(), [&](std::size_t begin, std::size_t end) {
+    std::copy(from.begin() + begin, from.begin() + end, to.begin() + static_cast<std::ptrdiff_t>(begin));
+  });
+}
+
 // The bits of floats as integers in the opposite order.
 std::uint32_t key_of(float depth) {
   const auto bits = std::bit_cast<std::uint32_t>(depth);
@@ -134,9 +142,9 @@ void SplatLayer::set_splats(std::span<const SurfaceVertex> vertices, const Point
   require_count("splats", vertices.size(), size());
   require_count("shapes of splats", shapes.size(), size());
   if (!turns.empty()) require_count("turns of splats", turns.size(), size());
-  vertices_.assign(vertices.begin(), vertices.end());
-  shapes_.assign(shapes.begin(), shapes.end());
-  turns_.assign(turns.begin(), turns.end());
+  copy(vertices, vertices_);
+  copy(shapes, shapes_);
+  copy(turns, turns_);
   origin_ = origin;
   drawn_.reset();
 }

@@ -58,9 +58,10 @@ public:
 
   std::size_t size() const { return looks_ ? looks_->opacities.size() : 0; }
 
-  /// Draws every `step`-th splat, enlarged to the area of `step` splats. Splats are hidden by nearer
-  /// surfaces, but not by each other. Then writes the depth of each place where a splat has at least half
-  /// opacity. Uses only the scalars of the style. If no splats are set, draws nothing.
+  /// Draws every `step`-th splat, enlarged to the area of `step` splats. Nearer surfaces hide splats; splats
+  /// do not hide each other. Then writes the depth of each pixel in which a splat, or in a SplatPicture all
+  /// splats together, have at least half opacity. Uses only the scalars of the style. If no splats are set,
+  /// draws nothing.
   void draw(const View& view, const SurfaceStyle& style, std::size_t step = 1);
 
 private:
