@@ -20,7 +20,7 @@ namespace {
 
 using mesh::none;
 
-constexpr std::size_t triangles_per_splat = 100;  // that take the time of a splat to draw
+constexpr std::size_t triangles_per_splat = 40;  // that take the time of a splat to draw
 
 class LooksMaker {
 public:
@@ -188,13 +188,14 @@ std::vector<std::uint32_t> shadow_vertices(std::size_t count, const ModelSplats*
   return vertices;
 }
 
+// Points that are not finite stay so.
 std::vector<render::SurfaceVertex> drawn_vertices(const mesh::Point& origin,
                                                   std::span<const mesh::Point> points) {
   std::vector<render::SurfaceVertex> vertices;
   vertices.reserve(points.size());
   for (const mesh::Point& point : points) {
-    const glm::vec3 p = render::relative(point, origin);
-    vertices.push_back({{p.x, p.y, p.z}, {}});
+    const mesh::Point p = point - origin;
+    vertices.push_back({{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}, {}});
   }
   return vertices;
 }
@@ -230,7 +231,7 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
     shading.surface = surface;
     shading.splats = std::make_shared<const ModelSplats>(splats_of(model.splats));
     const std::size_t most = std::max<std::size_t>(moving / triangles_per_splat, 1);
-    shading.draft_step = (model.splats->size() + most - 1) / most;
+    shading.draft_step = std::max<std::size_t>((model.splats->size() + most - 1) / most, 1);
     return shading;
   }
   if (surface->triangles.empty()) shading.spacing = mesh::point_spacing(surface->positions);
@@ -262,8 +263,9 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
   capture_ = shading.splats;
   draft_step_ = shading.draft_step;
   spacing_ = shading.spacing;
-  splats_.set_looks(capture_ ? capture_->looks : nullptr);
+  splats_.reset();
   if (capture_) {
+    splats_.emplace(gl_).set_looks(capture_->looks);
     surface_.set_triangles({}, 0);
   } else {
     surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles,
@@ -328,8 +330,8 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
   if (wanted.by_mask) scalars = wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f);
   if (!wanted.by_mask && wanted.field) scalars = *wanted.field;
   if (capture_) {
-    splats_.set_palette(palette);
-    splats_.set_scalars(scalars);
+    splats_->set_palette(palette);
+    splats_->set_scalars(scalars);
     return true;
   }
   surface_.set_palette(palette);
@@ -343,7 +345,7 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
 
 void ModelLayer::draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style,
                       bool coarse) {
-  if (capture_) return splats_.draw(view, style, coarse ? draft_step_ : 1);
+  if (splats_) return splats_->draw(view, style, coarse ? draft_step_ : 1);
   render::SurfaceStyle of_points = style;
   of_points.spacing = static_cast<float>(spacing_);
   (coarse && draft_ ? coarse_ : surface_).draw(view, theme, of_points);

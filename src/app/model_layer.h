@@ -68,7 +68,7 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
 
 class ModelLayer {
 public:
-  explicit ModelLayer(const render::Gl& gl) : surface_(gl), coarse_(gl), splats_(gl), shadow_(gl) {}
+  explicit ModelLayer(const render::Gl& gl) : surface_(gl), coarse_(gl), shadow_(gl), gl_(gl) {}
 
   /// Sets the model of the document, at rest.
   void set_document(const document::Document& document, const ModelShading& shading);
@@ -78,10 +78,10 @@ public:
   /// Sets the deformed splats of a capture, relative to origin. See render::SplatLayer.
   void set_splats(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin,
                   std::span<const render::SplatShape> shapes, std::span<const render::SplatTurn> turns) {
-    splats_.set_splats(vertices, origin, shapes, turns);
+    splats_->set_splats(vertices, origin, shapes, turns);
     shadow_.set_vertices(vertices, origin);
   }
-  bool is_capture() const { return capture_ != nullptr; }
+  bool is_capture() const { return splats_.has_value(); }
   /// Sets the deformed vertices of the draft. There must be a draft.
   void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
     coarse_.set_vertices(vertices, origin);
@@ -106,12 +106,13 @@ public:
 private:
   std::shared_ptr<const mesh::Draft> draft_;
   render::SurfaceLayer surface_, coarse_;  // coarse_: the draft; empty without a draft
-  render::SplatLayer splats_;              // empty if the model is not a capture
-  std::shared_ptr<const ModelSplats> capture_;
+  render::ShadowLayer shadow_;             // the shadow of the draft or, without a draft, of the model
+  std::size_t vertices_ = 0;
+  const render::Gl& gl_;
+  std::optional<render::SplatLayer> splats_;    // nullopt if the model is not a capture
+  std::shared_ptr<const ModelSplats> capture_;  // null if the model is not a capture
   std::size_t draft_step_ = 1;
   double spacing_ = 0;
-  render::ShadowLayer shadow_;  // the shadow of the draft or, without a draft, of the model
-  std::size_t vertices_ = 0;
   // The input of the current colours.
   struct Colored {
     bool by_mask = false, dark = false;

@@ -243,11 +243,14 @@ ViewDrawing WorkspaceRenderer::drawing(const workspace::Workspace& w, glm::ivec2
   d.ghost = w.view.options.ghost;
   const double diagonal = document.space().diagonal();
   const auto& c = document.space().center;
-  const int up = w.view.camera.pose().up == document::UpAxis::z ? 2 : 1;
+  const document::UpAxis axis = w.view.camera.pose().up;
+  const int up = axis == document::UpAxis::z ? 2 : 1;
+  const bool down = axis == document::UpAxis::minus_y;
+  const mesh::Bounds& box = document.model().bounds;
   mesh::Point ground{c[0], c[1], c[2]};
-  ground[static_cast<std::size_t>(up)] = document.model().bounds.low[static_cast<std::size_t>(up)];
-  d.shadow = {ground, up, diagonal};
-  d.ground = {ground, document::grid_cell(diagonal), 1.6 * diagonal, up};
+  ground[static_cast<std::size_t>(up)] = (down ? box.high : box.low)[static_cast<std::size_t>(up)];
+  d.shadow = {ground, up, diagonal, down};
+  d.ground = {ground, document::grid_cell(diagonal), 1.6 * diagonal, up, down};
   return d;
 }
 

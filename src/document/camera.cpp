@@ -50,7 +50,11 @@ CameraPose mix(const CameraPose& a, const CameraPose& b, float t) {
 
 // Converts a direction from coordinates with Y up to coordinates with the file's up axis `up`.
 glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
-  return up == UpAxis::y ? v : glm::vec3(v.x, -v.z, v.y);
+  switch (up) {
+    case UpAxis::z: return {v.x, -v.z, v.y};
+    case UpAxis::minus_y: return {v.x, -v.y, -v.z};
+    default: return v;
+  }
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ struct Viewport {
 
 enum class StandardView { front, back, right, left, top, bottom, home };
 
-/// The file's up axis. It changes only the view, not the coordinates.
-enum class UpAxis { y, z };
+/// The file's up axis. It changes only the view, not the coordinates. In most captures, Y points down.
+enum class UpAxis { y, z, minus_y };
 
 /// The pose of a camera. Angles are in radians, lengths in view units (document/space.h). Camera clamps the
 /// values to the ranges in document/range.h.

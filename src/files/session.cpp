@@ -51,7 +51,8 @@ constexpr ViewFlag view_flags[] = {{"dark", &document::ViewOptions::dark},
                                    {"select_visible", &document::ViewOptions::select_visible}};
 
 constexpr std::array<std::string_view, 4> kind_words = {"vertices", "edges", "faces", "probes"};
-constexpr std::array<std::string_view, 2> axis_words = {"y", "z"}, pin_words = {"holds", "pulls"};
+constexpr std::array<std::string_view, 3> axis_words = {"y", "z", "-y"};
+constexpr std::array<std::string_view, 2> pin_words = {"holds", "pulls"};
 
 }  // namespace
 

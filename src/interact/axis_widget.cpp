@@ -13,9 +13,10 @@ constexpr float smallest_view = 160;
 
 document::StandardView AxisBall::view(document::UpAxis up) const {
   using V = document::StandardView;
-  constexpr V views[2][3][2] = {{{V::left, V::right}, {V::bottom, V::top}, {V::back, V::front}},
-                                {{V::left, V::right}, {V::front, V::back}, {V::bottom, V::top}}};
-  return views[up == document::UpAxis::z ? 1 : 0][axis][positive ? 1 : 0];
+  constexpr V views[3][3][2] = {{{V::left, V::right}, {V::bottom, V::top}, {V::back, V::front}},
+                                {{V::left, V::right}, {V::front, V::back}, {V::bottom, V::top}},
+                                {{V::left, V::right}, {V::top, V::bottom}, {V::front, V::back}}};
+  return views[static_cast<std::size_t>(up)][axis][positive ? 1 : 0];
 }
 
 const AxisBall* AxisWidget::ball(const glm::vec2& cursor) const {

@@ -33,7 +33,8 @@ Grid::Grid(const Gl& gl) : gl_(gl), program_(gl, "grid"), vertex_array_(gl) {}
 void Grid::draw(const View& view, const Theme& theme, const GridStyle& style) const {
   const int across = (style.up + 1) % 3, along = (style.up + 2) % 3;
   glm::mat3 axes(0);
-  axes[0][across] = axes[1][along] = axes[2][style.up] = 1;
+  axes[0][across] = axes[1][along] = 1;
+  axes[2][style.up] = style.down ? -1.0F : 1.0F;
   const double period = 10 * style.cell;
 
   program_.use();

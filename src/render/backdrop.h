@@ -26,6 +26,7 @@ struct GridStyle {
   double cell = 1;        ///< the distance between fine lines; every tenth line is stronger
   double radius = 10;     ///< the distance from `center` at which the grid becomes invisible
   int up = 1;             ///< the up axis: 0 x, 1 y, 2 z
+  bool down = false;      ///< true: the axis points down
 
   friend bool operator==(const GridStyle&, const GridStyle&) = default;
 };

@@ -176,7 +176,7 @@ GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
 
 float from_above(const View& view, const ShadowStyle& style) {
   const glm::dvec4 center = view.view * glm::dvec4(style.center[0], style.center[1], style.center[2], 1);
-  const glm::dvec3 up(glm::normalize(glm::dvec3(view.view[style.up])));
+  const glm::dvec3 up((style.down ? -1.0 : 1.0) * glm::normalize(glm::dvec3(view.view[style.up])));
   const bool perspective = view.projection[3][3] == 0;
   const glm::dvec3 to_eye = perspective ? -glm::normalize(glm::dvec3(center)) : glm::dvec3(0, 0, 1);
   return static_cast<float>(glm::smoothstep(0.0, 0.12, glm::dot(to_eye, up)));
@@ -239,7 +239,7 @@ void ShadowLayer::cast(const ShadowStyle& style) {
   over_ground_.clear();
   for (const auto& p : points_) {
     const glm::vec3 q = per_size * p + shift;
-    over_ground_.emplace_back(q[across], q[along], q[style.up]);
+    over_ground_.emplace_back(q[across], q[along], style.down ? -q[style.up] : q[style.up]);
   }
   shadow_ = ground_shadow(over_ground_, 1);
   cast_on_ = style;

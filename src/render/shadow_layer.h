@@ -40,6 +40,7 @@ struct ShadowStyle {
   Point center{0, 0, 0};  ///< a point on the ground, near the model
   int up = 1;             ///< the up axis: 0 x, 1 y, 2 z
   double size = 1;        ///< the model's size; shadows fade at a height proportional to it
+  bool down = false;      ///< true: the axis points down
 
   friend bool operator==(const ShadowStyle&, const ShadowStyle&) = default;
 };

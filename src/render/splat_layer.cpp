@@ -52,6 +52,14 @@ std::uint16_t stored(float value, float most) {
   return static_cast<std::uint16_t>(value > 0 ? 65535 * std::min(value / most, 1.0F) + 0.5F : 0);  // NaN: 0
 }
 
+template <class T>
+void copy(std::span<const T> from, std::vector<T>& to) {
+  to.resize(from.size());
+  base::for_blocks(from.size(), [&](std::size_t begin, std::size_t end) {
+    std::copy(from.begin() + begin, from.begin() + end, to.begin() + static_cast<std::ptrdiff_t>(begin));
+  });
+}
+
 // The bits of floats as integers in the opposite order.
 std::uint32_t key_of(float depth) {
   const auto bits = std::bit_cast<std::uint32_t>(depth);
@@ -82,7 +90,7 @@ void sort_back_to_front(std::span<const float> depths, std::vector<std::uint32_t
   std::transform(items.begin(), items.end(), order.begin(), [](const Item& item) { return item.index; });
 }
 
-// What all splats of a picture have in common, for positions relative to the origin.
+// The input of a projection that all splats share, for positions relative to the origin.
 struct SplatLayer::Frame {
   Frame(const Drawn& input, const Point& origin)
       : drawn(input), grow(std::sqrt(static_cast<float>(input.step))) {
@@ -134,9 +142,9 @@ void SplatLayer::set_splats(std::span<const SurfaceVertex> vertices, const Point
   require_count("splats", vertices.size(), size());
   require_count("shapes of splats", shapes.size(), size());
   if (!turns.empty()) require_count("turns of splats", turns.size(), size());
-  vertices_.assign(vertices.begin(), vertices.end());
-  shapes_.assign(shapes.begin(), shapes.end());
-  turns_.assign(turns.begin(), turns.end());
+  copy(vertices, vertices_);
+  copy(shapes, shapes_);
+  copy(turns, turns_);
   origin_ = origin;
   drawn_.reset();
 }
@@ -154,24 +162,30 @@ void SplatLayer::set_palette(std::span<const glm::vec3> colors) {
 }
 
 glm::vec3 SplatLayer::color_of(const Frame& frame, std::size_t splat) const {
-  if (frame.drawn.scalars) {
-    const float range = frame.drawn.high - frame.drawn.low;
-    const float share = range > 0 ? (scalars_[splat] - frame.drawn.low) / range : 0;
-    const float at = share > 0 ? std::min(share, 1.0F) * static_cast<float>(palette_.size() - 1) : 0;
-    const auto key = std::min(static_cast<std::size_t>(at), palette_.size() - 2);
-    return glm::mix(palette_[key], palette_[key + 1], at - static_cast<float>(key));
-  }
   const std::array<float, 3>& constant = looks_->colors[splat];
   glm::vec3 color(constant[0], constant[1], constant[2]);
-  if (looks_->degree == 0) return color;
-  const float* p = vertices_[splat].position;
-  const glm::vec3 d = frame.perspective ? glm::normalize(glm::vec3(p[0], p[1], p[2]) - frame.eye) : frame.eye;
-  const auto at = harmonics_at(turns_.empty() ? d : turned_back(turns_[splat], d), looks_->degree);
   const auto bands = static_cast<std::size_t>(looks_->degree * (looks_->degree + 2));
-  const float* factors = looks_->harmonics->data() + 3 * bands * splat;
-  for (int channel = 0; channel < 3; ++channel, factors += bands)
-    for (std::size_t i = 0; i < bands; ++i) color[channel] += factors[i] * at[i];
-  return color;
+  if (bands > 0) {
+    const float* p = vertices_[splat].position;
+    const glm::vec3 d =
+        frame.perspective ? glm::normalize(glm::vec3(p[0], p[1], p[2]) - frame.eye) : frame.eye;
+    const auto at = harmonics_at(turns_.empty() ? d : turned_back(turns_[splat], d), looks_->degree);
+    const float* factors = looks_->harmonics->data() + 3 * bands * splat;
+    for (int channel = 0; channel < 3; ++channel, factors += bands)
+      for (std::size_t i = 0; i < bands; ++i) color[channel] += factors[i] * at[i];
+  }
+  return frame.drawn.scalars ? map_color(frame, splat, glm::dot(color, glm::vec3(0.30F, 0.59F, 0.11F)))
+                             : color;
+}
+
+// A map without any light and shade would show only an outline.
+glm::vec3 SplatLayer::map_color(const Frame& frame, std::size_t splat, float brightness) const {
+  const float range = frame.drawn.high - frame.drawn.low;
+  const float share = range > 0 ? (scalars_[splat] - frame.drawn.low) / range : 0;
+  const float at = share > 0 ? std::min(share, 1.0F) * static_cast<float>(palette_.size() - 1) : 0;
+  const auto key = std::min(static_cast<std::size_t>(at), palette_.size() - 2);
+  const float light = brightness > 0 ? std::min(1.5F * brightness, 1.0F) : 0;
+  return (0.55F + 0.45F * light) * glm::mix(palette_[key], palette_[key + 1], at - static_cast<float>(key));
 }
 
 // Returns false if the splat is not visible.
@@ -215,7 +229,7 @@ bool SplatLayer::project(const Frame& frame, std::size_t splat, Ellipse& ellipse
   // The determinant without cancellation, for needles: the sum of the squared minors of the rows, and blur.
   const glm::vec3 minors = glm::cross(rows[0], rows[1]);
   const float determinant = glm::dot(minors, minors) + blur * (a + c - blur);
-  const float variance = 0.5F * (a + c) + std::hypot(0.5F * (a - c), b);
+  const float variance = 0.5F * (a + c) + glm::length(glm::vec2(0.5F * (a - c), b));
   glm::vec2 axis = a >= c ? glm::vec2(variance - c, b) : glm::vec2(b, variance - a);
   const float length = glm::length(axis);
   axis = length > 0 ? axis / length : glm::vec2(1, 0);

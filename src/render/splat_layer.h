@@ -50,16 +50,18 @@ public:
   /// empty, colours are not turned. Splats that are not finite are not drawn.
   void set_splats(std::span<const SurfaceVertex> vertices, const Point& origin,
                   std::span<const SplatShape> shapes, std::span<const SplatTurn> turns);
-  /// Sets one value per splat, in any range (see SurfaceStyle). If empty, removes the scalars.
+  /// Sets one value per splat, in any range (see SurfaceStyle). If empty, removes the scalars. Splats that
+  /// are dark without scalars get darker colours of the palette.
   void set_scalars(std::span<const float> scalars);
   /// Sets at least 2 colours, as displayed. The colours are evenly spaced and interpolated.
   void set_palette(std::span<const glm::vec3> colors);
 
   std::size_t size() const { return looks_ ? looks_->opacities.size() : 0; }
 
-  /// Draws every `step`-th splat, enlarged to the area of `step` splats. Splats are hidden by nearer
-  /// surfaces, but not by each other. Then writes the depth of each place where a splat has at least half
-  /// opacity. Uses only the scalars of the style. If no splats are set, draws nothing.
+  /// Draws every `step`-th splat, enlarged to the area of `step` splats. Nearer surfaces hide splats; splats
+  /// do not hide each other. Then writes the depth of each pixel in which a splat, or in a SplatPicture all
+  /// splats together, have at least half opacity. Uses only the scalars of the style. If no splats are set,
+  /// draws nothing.
   void draw(const View& view, const SurfaceStyle& style, std::size_t step = 1);
 
 private:
@@ -76,6 +78,7 @@ private:
   void project(const Drawn& drawn);
   bool project(const Frame& frame, std::size_t splat, Ellipse& ellipse, float& depth) const;
   glm::vec3 color_of(const Frame& frame, std::size_t splat) const;
+  glm::vec3 map_color(const Frame& frame, std::size_t splat, float brightness) const;
   void upload();
   void blend(glm::ivec2 size);
 

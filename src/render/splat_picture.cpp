@@ -10,7 +10,7 @@ namespace viete::render {
 
 namespace {
 
-constexpr int rows_per_band = 16;
+constexpr int rows_per_band = 32;
 constexpr float least_through = 1.0F / 512;  // pixels with less remaining transparency are complete
 
 // The first pixel whose middle is at or after `at`, limited to [0, count].
@@ -37,8 +37,10 @@ private:
 struct Spread {
   Spread(const Ellipse& e, glm::ivec2 size)
       : center(0.5F * (glm::vec2(e.center[0], e.center[1]) + 1.0F) * glm::vec2(size)),
+        color(Ellipse::brightest / 65535 * glm::vec3(e.red, e.green, e.blue)),
+        depth(0.5F + 0.5F * e.center[2]),
         opacity(static_cast<float>(e.opacity) / 65535) {
-    const float x = e.long_axis[0], y = e.long_axis[1], length = std::hypot(x, y),
+    const float x = e.long_axis[0], y = e.long_axis[1], length = std::sqrt(x * x + y * y),
                 ratio = e.short_axis / length;
     const float xy = x * y * (1 - ratio * ratio), yy = y * y + ratio * ratio * x * x;
     slant = xy / yy;
@@ -48,13 +50,71 @@ struct Spread {
   }
 
   glm::vec2 center;
+  glm::vec3 color;
+  float depth;  // in the window, 0 to 1
   float opacity, slant, square_x, square_y, limit;
 };
 
 struct Pixel {
+  // Adds a splat behind the splats so far.
+  void add(float opacity, const glm::vec3& of_splat, float depth_of_splat) {
+    const float share = through * opacity, rest = through - share;
+    if (through == 1 || (through >= 0.5F && rest < 0.5F)) depth = depth_of_splat;
+    color += share * of_splat;
+    through = rest;
+  }
+
   glm::vec3 color{0};
   float through = 1;  // transparency
   float depth = 1;
+  int skip = 0;  // if the pixel is complete: the distance to a later pixel; those between are complete
+};
+
+// Some rows of the picture.
+class Band {
+public:
+  Band(int low, int high, int width)
+      : low_(low),
+        width_(width),
+        open_((high - low) * width),
+        pixels_(static_cast<std::size_t>((high - low) * stride())) {}
+
+  bool is_complete() const { return open_ == 0; }
+  std::span<const Pixel> row(int y) const {
+    return std::span(pixels_).subspan(static_cast<std::size_t>((y - low_) * stride()),
+                                      static_cast<std::size_t>(width_));
+  }
+
+  // Adds the splat to the row y.
+  void add(const Spread& splat, int y, const Falloff& falloff) {
+    const float dy = static_cast<float>(y) + 0.5F - splat.center.y, of_y = splat.square_y * dy * dy;
+    if (of_y >= splat.limit) return;
+    Pixel* row = &pixels_[static_cast<std::size_t>((y - low_) * stride())];
+    const float middle = splat.center.x + splat.slant * dy;
+    const float half = std::sqrt((splat.limit - of_y) / splat.square_x);
+    const int end = first_pixel(middle + half, width_);
+    for (int x = open_pixel(row, first_pixel(middle - half, width_)); x < end; x = open_pixel(row, x + 1)) {
+      const float dx = static_cast<float>(x) + 0.5F - middle;
+      const float square = std::min(splat.square_x * dx * dx + of_y, splat.limit);
+      row[x].add(std::min(0.99F, splat.opacity * falloff(square)), splat.color, splat.depth);
+      if (row[x].through >= least_through) continue;
+      row[x].skip = 1;
+      --open_;
+    }
+  }
+
+private:
+  int stride() const { return width_ + 1; }  // a row ends with a pixel that is never complete
+  // Returns the first pixel from x on that is not complete, in nearly constant time.
+  static int open_pixel(Pixel* row, int x) {
+    int at = x;
+    while (row[at].skip > 0) at += row[at].skip;
+    if (at > x) row[x].skip = at - x;
+    return at;
+  }
+
+  int low_, width_, open_;
+  std::vector<Pixel> pixels_;
 };
 
 }  // namespace
@@ -83,41 +143,21 @@ void SplatPicture::blend(std::span<const Ellipse> ellipses, glm::ivec2 size) {
 
 void SplatPicture::blend_band(std::span<const Ellipse> ellipses, int low, int high) {
   static const Falloff falloff;
-  std::vector<Pixel> pixels(static_cast<std::size_t>((high - low) * size_.x));
-  for (std::size_t i = 0; i < ellipses.size(); ++i) {
+  Band band(low, high, size_.x);
+  for (std::size_t i = 0; i < ellipses.size() && !band.is_complete(); ++i) {
     const int begin = std::max(rows_[i].low, low), end = std::min(rows_[i].high, high);
     if (begin >= end) continue;
-    const Ellipse& e = ellipses[i];
-    const Spread spread(e, size_);
-    const glm::vec3 color = Ellipse::brightest / 65535 * glm::vec3(e.red, e.green, e.blue);
-    const float depth = 0.5F + 0.5F * e.center[2];
-    for (int y = begin; y < end; ++y) {
-      const float dy = static_cast<float>(y) + 0.5F - spread.center.y, of_y = spread.square_y * dy * dy;
-      if (of_y >= spread.limit) continue;
-      const float middle = spread.center.x + spread.slant * dy,
-                  half = std::sqrt((spread.limit - of_y) / spread.square_x);
-      const int last = first_pixel(middle + half, size_.x);
-      Pixel* row = &pixels[static_cast<std::size_t>((y - low) * size_.x)];
-      for (int x = first_pixel(middle - half, size_.x); x < last; ++x) {
-        Pixel& pixel = row[x];
-        if (pixel.through < least_through) continue;
-        const float dx = static_cast<float>(x) + 0.5F - middle;
-        const float square = std::min(spread.square_x * dx * dx + of_y, spread.limit);
-        const float share = pixel.through * std::min(0.99F, spread.opacity * falloff(square)),
-                    rest = pixel.through - share;
-        if (pixel.through == 1 || (pixel.through >= 0.5F && rest < 0.5F)) pixel.depth = depth;
-        pixel.color += share * color;
-        pixel.through = rest;
-      }
+    const Spread splat(ellipses[i], size_);
+    for (int y = begin; y < end; ++y) band.add(splat, y, falloff);
+  }
+  std::size_t at = static_cast<std::size_t>(low) * static_cast<std::size_t>(size_.x);
+  for (int y = low; y < high; ++y)
+    for (const Pixel& pixel : band.row(y)) {
+      const glm::vec4 shown = 255.0F * glm::min(glm::vec4(pixel.color, 1 - pixel.through), 1.0F) + 0.5F;
+      for (int k = 0; k < 4; ++k)
+        colors_[at][static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(shown[k]);
+      depths_[at++] = pixel.depth;
     }
-  }
-  const std::size_t first = static_cast<std::size_t>(low) * static_cast<std::size_t>(size_.x);
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const glm::vec4 shown = 255.0F * glm::min(glm::vec4(pixels[i].color, 1 - pixels[i].through), 1.0F) + 0.5F;
-    for (int k = 0; k < 4; ++k)
-      colors_[first + i][static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(shown[k]);
-    depths_[first + i] = pixels[i].depth;
-  }
 }
 
 }  // namespace viete::render

@@ -5,6 +5,7 @@
 //   framebuffer.begin(view.size, samples);
 //   backdrop.draw(theme);                          // background gradient
 //   surface.draw(view, theme, surface_style);      // the model
+//   splats.draw(view, surface_style);              // the model, if it is a capture: after shadow and grid
 //   shadow.draw(view, theme, shadow_style);        // the shadow of the model on the ground
 //   grid.draw(view, theme, grid_style);            // ground grid
 //   faces.draw(view, face_style);                  // cage faces

@@ -205,6 +205,8 @@ std::vector<mesh::Point> upright(std::span<const mesh::Point> points, document::
   std::vector<mesh::Point> all(points.begin(), points.end());
   if (up == document::UpAxis::z)
     for (mesh::Point& p : all) p = {p[0], p[2], -p[1]};
+  if (up == document::UpAxis::minus_y)
+    for (mesh::Point& p : all) p = {p[0], -p[1], -p[2]};
   return all;
 }
 

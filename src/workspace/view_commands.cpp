@@ -26,6 +26,12 @@ Effect shows(Column column) {
   return {toggle, shown};
 }
 
+// Switches between this up axis and Y.
+Effect switches_up(document::UpAxis axis) {
+  const auto is_up = [axis](const Workspace& w) { return w.view.camera.pose().up == axis; };
+  return {[=](Workspace& w) { w.view.camera.set_up(is_up(w) ? document::UpAxis::y : axis); }, is_up};
+}
+
 void add_looks(CommandTable& table) {
   using V = document::StandardView;
   const struct {
@@ -99,12 +105,10 @@ void add_camera_commands(CommandTable& table) {
             [](const Workspace& w) { return w.view.camera.pose().orthographic; }})
       .or_by({key('O')});
   table.add("toggle_z_up", "Z up", "Use Z as the up axis. When off, Y is up. Files keep their axes.",
-            {key('U')}, always,
-            {[](Workspace& w) {
-               w.view.camera.set_up(w.view.camera.pose().up == document::UpAxis::z ? document::UpAxis::y
-                                                                                   : document::UpAxis::z);
-             },
-             [](const Workspace& w) { return w.view.camera.pose().up == document::UpAxis::z; }});
+            {key('U')}, always, switches_up(document::UpAxis::z));
+  table.add("toggle_y_down", "Y down",
+            "Turn the view if the model is upside down, like most captures. Files keep their axes.", always,
+            switches_up(document::UpAxis::minus_y));
 }
 
 void add_view_commands(CommandTable& table) {

@@ -214,5 +214,12 @@ TEST_CASE("with_z_up_the_camera_turns_about_z_and_files_stay_as_they_are") {
   CHECK(w.view.camera.pose().up == UpAxis::z);
   REQUIRE(test::run_command(w, "toggle_z_up"));
   CHECK(w.view.camera.pose().up == UpAxis::y);
+  REQUIRE(test::run_command(w, "toggle_y_down"));
+  w.view.camera.set_pose({.yaw = 0, .pitch = 0, .up = w.view.camera.pose().up});
+  CHECK(w.view.camera.up().y == doctest::Approx(-1));
+  CHECK(w.view.camera.forward().z == doctest::Approx(1));
+  CHECK(w.view.camera.right().x == doctest::Approx(1));
+  REQUIRE(test::run_command(w, "toggle_y_down"));
+  CHECK(w.view.camera.pose().up == UpAxis::y);
   CHECK(w.document.model().surface->positions == before);
 }

@@ -115,7 +115,7 @@ TEST_CASE("the_cage_is_drawn_over_a_capture_and_a_dragged_vertex_bends_it") {
 TEST_CASE("large_captures_move_with_fewer_splats_and_rest_with_all") {
   auto options = test::small_options();
   options.may_be_coarse = true;
-  options.moving_triangles = 60'000;
+  options.moving_triangles = 24'000;
   Scene scene(capture_of_ball(4), options);
   scene.d.workspace().preferences.coarse_motion = false;
   scene.look(0.1F);
@@ -162,4 +162,24 @@ TEST_CASE("a_capture_is_drawn_side_by_side_and_has_a_shadow") {
   scene.d.settle();
   const auto two = scene.colored();
   CHECK(two[0] + two[1] > 0.4 * (one[0] + one[1]));
+}
+
+TEST_CASE("points_of_a_file_are_drawn_with_their_colors") {
+  test::TemporaryFolder folder;
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  for (int i = 0; i < 400; ++i)
+    text +=
+        std::to_string(i % 20) + ' ' + std::to_string(i / 20) + ' ' + std::to_string(i % 7) + " 0 0 255\n";
+  Driver d(test::small_options(), test::with_pixels);
+  test::put_file(folder / "points.ply", text);
+  REQUIRE(d.open({folder / "points.ply"}));
+  d.workspace().view.options.panels = false;
+  d.settle();
+  const render::Image image = d.picture();
+  std::size_t blue = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    blue += image.rgba[i] < 10 && image.rgba[i + 1] < 10 && image.rgba[i + 2] > 250 ? 1 : 0;
+  CHECK(blue > 400 * 10);
 }

@@ -134,6 +134,17 @@ TEST_CASE("shadow_is_on_the_ground_below_the_model_whichever_axis_is_up") {
   }
 }
 
+TEST_CASE("shadow_is_above_the_model_if_the_axis_points_down") {
+  Standing s(1);
+  s.style.down = true;
+  s.style.center = {0, 4, 0};
+  const render::Image image = s.seen_from({0, -12, 12}, {0, -1, 0});
+  const glm::ivec2 foot = s.stage.pixel_of({0, 4, 0});
+  CHECK(image.pixel(foot.x, foot.y)[0] < 190);
+  s.style.down = false;
+  CHECK(s.seen_from({0, -12, 12}, {0, -1, 0}).pixel(foot.x, foot.y)[0] >= 254);
+}
+
 TEST_CASE("shadow_follows_the_model") {
   Standing s(1);
   const glm::dvec3 eye(0, 14, 10);
@@ -156,4 +167,23 @@ TEST_CASE("shadow_is_invisible_from_below_and_without_finite_vertices") {
   for (auto& v : lost) v.position[0] = v.position[1] = v.position[2] = std::nanf("");
   s.shadow.set_vertices(lost, {0, 0, 0});
   CHECK(darkest(s.seen_from({0, 12, 12}, {0, 1, 0})) >= 254);
+}
+
+TEST_CASE("points_on_a_ball_cast_its_shadow") {
+  Standing of_triangles(1), of_points(1);
+  std::vector<test::Point> spiral;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < 30'000; ++i) {
+    const double z = (2.0 * i + 1) / 30'000 - 1, turn = 2.399963 * i, r = std::sqrt(1 - z * z);
+    spiral.push_back({2 * r * std::cos(turn), 2 + 2 * z, 2 * r * std::sin(turn)});
+    all.push_back(i);
+  }
+  of_points.shadow.set_points(all, spiral);
+  const auto darkness = [](Standing& scene) {
+    return 320 * 200 - test::lit_area(scene.seen_from({0, 20, 0.01}, {0, 1, 0}));
+  };
+  CHECK(darkness(of_triangles) > 50);
+  CHECK(darkness(of_points) == doctest::Approx(darkness(of_triangles)).epsilon(0.15));
+  of_points.shadow.set_points({}, spiral);
+  CHECK(darkness(of_points) == 0);
 }

@@ -296,6 +296,16 @@ TEST_CASE_TEMPLATE("tiny_splats_have_the_size_of_the_blur_and_huge_ones_fill_the
   }
 }
 
+TEST_CASE("splats_behind_opaque_ones_do_not_change_the_picture") {
+  OnProcessor scene;
+  Capture layers;
+  for (int i = 0; i < 20; ++i) layers.add({0, 0, 3}, round_shape(1e3F), 1, {1, 0, 0});
+  const render::Image front = scene.drawn(layers);
+  for (int i = 0; i < 20'000; ++i) layers.add({0, 0, -3}, round_shape(1e3F), 0.9F, {0, 0, 1});
+  CHECK(largest_difference(scene.drawn(layers), front) <= 1);
+  CHECK(front.pixel(5, 60)[0] >= 254);
+}
+
 TEST_CASE_TEMPLATE("bad_colors_are_clamped", Scene, OnProcessor, OnCard) {
   Scene scene;
   Capture bad;

@@ -265,3 +265,35 @@ TEST_CASE("materials_differ_from_clay_and_from_each_other_and_zebra_has_stripes"
     changes += std::abs(int(zebra.pixel(160, y)[0]) - int(zebra.pixel(160, y - 4)[0])) > 60;
   CHECK(changes >= 4);
 }
+
+TEST_CASE("points_have_the_size_of_their_spacing_within_limits_and_colors_of_the_file_or_the_map") {
+  const test::Ball two{{{-8, 0, 0}, {8, 0, 0}}, std::vector<base::PackedNormal>(2), {}};
+  Scene scene(two);
+  const auto area = [&](float spacing, float scale) {
+    scene.stage.view.scale = scale;
+    return static_cast<double>(
+               test::count_not_black(scene.picture({.paint = render::Paint::file, .spacing = spacing}))) /
+           2;
+  };
+  CHECK(area(0.25F, 1) == doctest::Approx(M_PI / 4 * 4.5 * 4.5).epsilon(0.3));  // 10 pixels a unit
+  CHECK(area(0, 1) == 4);
+  CHECK(area(100, 1) == doctest::Approx(M_PI / 4 * 36).epsilon(0.3));
+  CHECK(area(100, 2) == doctest::Approx(M_PI / 4 * 144).epsilon(0.2));
+  render::SurfaceLooks looks;
+  looks.colors = {{255, 0, 0, 255}, {0, 0, 255, 255}};
+  scene.surface.set_looks(looks);
+  const auto main_channel = [&](const render::SurfaceStyle& style, double x) {
+    const glm::ivec2 at = scene.stage.pixel_of({x, 0, 0});
+    const render::Rgba8 pixel = scene.picture(style).pixel(at.x, at.y);
+    return mostly(pixel, 0) ? 0 : mostly(pixel, 1) ? 1 : mostly(pixel, 2) ? 2 : 3;
+  };
+  const render::SurfaceStyle of_file{.paint = render::Paint::file, .spacing = 1};
+  CHECK(main_channel(of_file, -8) == 0);
+  CHECK(main_channel(of_file, 8) == 2);
+  CHECK(main_channel({.spacing = 1}, 8) == 3);
+  const std::vector<glm::vec3> palette = {{0, 0, 1}, {0, 1, 0}};
+  scene.surface.set_palette(palette);
+  scene.surface.set_scalars(std::vector<float>{0, 1});
+  CHECK(main_channel({.scalars = true, .spacing = 1}, -8) == 2);
+  CHECK(main_channel({.scalars = true, .spacing = 1}, 8) == 1);
+}
