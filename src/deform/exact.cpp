@@ -32,6 +32,11 @@ const mesh::Surface& with_vertices(const mesh::Surface& model) {
   return model;
 }
 
+pose::Deformer for_model(const mesh::Surface& model, pose::Deformer deformer) {
+  deformer.weighting = weights::weighting_for(model, deformer.weighting);
+  return deformer;
+}
+
 bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
   const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
   return bytes < 0.25 * base::free_memory().value_or(0);
@@ -44,16 +49,16 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const p
                              Weights weights, const weights::Mask& mask, base::Progress* progress)
     : model_(with_vertices(model)),
       cage_(std::move(cage)),
-      deformer_(deformer),
+      deformer_(for_model(model, deformer)),
       method_(method),
       pool_(pool),
       mask_(mask),
       state_(cage_, deformer.weighting.elements, deformer.blend),
-      weigher_(*cage_, deformer.weighting),
+      weigher_(*cage_, deformer_.weighting),
       layer_(model.positions, pool) {
   const std::size_t n = model_.positions.size();
   state_.set_amounts(deformer.amounts);
-  state_.keep_origin(holds_shares(mask_, deformer.weighting));
+  state_.keep_origin(holds_shares(mask_, deformer_.weighting));
   if (deformer.stitched() && weights::needs_coarse_model(model_)) {
     std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.25);
     coarse_model_.emplace(model_, pool_, progress);
@@ -63,16 +68,16 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const p
   } else if (deformer.stitched()) {
     stitching_ = stitch(model_, *cage_, pool_, deformer);
     sums_.resize(n * state_.rows().columns());
-    if (holds_shares(mask_, deformer.weighting)) shares_.resize(n);
+    if (holds_shares(mask_, deformer_.weighting)) shares_.resize(n);
   }
   const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
-  const bool on_surface = deformer.weighting.on_surface();
+  const bool on_surface = deformer_.weighting.on_surface();
   if (on_surface && n > weights::most_solved_vertices) {
-    proxy_.emplace(model_, *cage_, deformer.weighting, pool_, progress);
+    proxy_.emplace(model_, *cage_, deformer_.weighting, pool_, progress);
     row_ = [this](std::uint32_t vertex, std::span<double> row) { proxy_->row(vertex, row); };
   } else if (on_surface) {
-    surface_weights_ = weights::bind(mesh::lent(model_), *cage_, deformer.weighting, pose::EngineKind::staged,
-                                     nullptr, pool_, progress);
+    surface_weights_ = weights::bind(mesh::lent(model_), *cage_, deformer_.weighting,
+                                     pose::EngineKind::staged, nullptr, pool_, progress);
     row_ = known_row(surface_weights_);
   }
   const bool has_all = on_surface && !proxy_;
