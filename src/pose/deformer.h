@@ -132,9 +132,8 @@ Deformer deformer_of(Preset preset, const Deformer& now = {});
 std::optional<Preset> preset_of(const Deformer& deformer);
 
 /// The default is Preset::smooth. It has the lowest energy over the poses of many models and is never among
-/// the worst (see the manual). Without triangles, the default is Preset::paper, because its weights need no
-/// surface.
-Deformer default_deformer(bool has_triangles = true);
+/// the worst (see the manual).
+Deformer default_deformer();
 
 inline PartialChoice only(Weights weights) {
   return {.weights = weights};

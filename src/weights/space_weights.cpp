@@ -15,16 +15,18 @@ namespace viete::weights {
 namespace {
 
 // Chosen by energy, leak and distance from the cage over 40 poses of 10 models.
-constexpr double width = 1;        // e, in spacings
-constexpr double compliance = 6;   // 1 / s, in spacings
-constexpr double threshold = 0.3;  // d, in mean weights
+constexpr double width = 1;                               // e, in spacings
+constexpr double soft_biharmonic = 6, soft_harmonic = 1;  // 1 / s, in spacings
+constexpr double threshold = 0.3;                         // d, in mean weights
 // Added to the matrix. Changes no solution, because the coefficients sum to 0, but makes the matrix positive
 // definite: it is larger than all distances between scaled centers.
 constexpr double above_distances = 4;
 
-double total_area(const mesh::Surface& surface) {
+double scaled_area(const pose::Cage& cage, double scale) {
+  std::vector<mesh::Point> scaled;
+  for (const mesh::Point& p : cage.elements.positions) scaled.push_back(scale * p);
   double sum = 0;
-  for (const auto& t : surface.triangles) sum += mesh::area(surface.positions, t);
+  for (const auto& t : cage.elements.triangles) sum += mesh::area(scaled, t);
   return sum;
 }
 
@@ -42,7 +44,7 @@ SpaceWeights::SpaceWeights(const pose::Cage& cage, const pose::Weighting& weight
     shares.push_back(share);
   }
   const double count = std::accumulate(shares.begin(), shares.end(), 0.0);
-  const double spacing = scale * std::sqrt(total_area(cage.surface) / count);
+  const double spacing = std::sqrt(scaled_area(cage, scale) / count);
   width_ = width * spacing;
   threshold_ = threshold / count;
   const std::size_t padded = (centers_.size() + space_group - 1) / space_group * space_group;
@@ -50,6 +52,7 @@ SpaceWeights::SpaceWeights(const pose::Cage& cage, const pose::Weighting& weight
   base::require_memory({4.0 * sizeof(double) * static_cast<double>(padded * padded),
                         "smooth weights of " + std::to_string(padded) + " cage elements take",
                         "use a coarser cage, or other weights", ""});
+  const double compliance = spacing * (inverse_ ? soft_harmonic : soft_biharmonic);
   const auto n = static_cast<Eigen::Index>(weighing.size());
   Eigen::MatrixXd matrix(n, n);
   for (Eigen::Index j = 0; j < n; ++j)
@@ -57,7 +60,7 @@ SpaceWeights::SpaceWeights(const pose::Cage& cage, const pose::Weighting& weight
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
       const double distance = std::hypot(norm(centers_[weighing[a]] - centers_[weighing[b]]), width_);
       matrix(i, j) = inverse_ ? spacing * spacing / distance : above_distances - distance;
-      if (i == j) matrix(i, i) += compliance * spacing / shares[a];
+      if (i == j) matrix(i, i) += compliance / shares[a];
     }
   Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix);
   if (factored.info() != Eigen::Success) sparse::refuse_system();
