@@ -59,11 +59,11 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const p
   const std::size_t n = model_.positions.size();
   state_.set_amounts(deformer.amounts);
   state_.keep_origin(holds_shares(mask_, deformer_.weighting));
-  if (deformer.stitched() && weights::needs_coarse_model(model_)) {
+  if (deformer.stitched() && weights::stitches_coarse_model(model_)) {
     std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.25);
-    coarse_model_.emplace(model_, pool_, progress);
+    coarse_model_.emplace(weights::coarse_model_of(model_, *cage_, pool_, progress));
     part.emplace(progress, 0.25, 0.5);
-    coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, deformer, method, pool,
+    coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, deformer_, method, pool,
                                               weights, coarse_model_->means(mask), progress);
   } else if (deformer.stitched()) {
     stitching_ = stitch(model_, *cage_, pool_, deformer);
@@ -149,12 +149,14 @@ ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& pro
     exact.exp_error = std::max(exact.exp_error, error);
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
   });
+  if (stitching_) blended_ = exact.positions;
   if (stitching_) stitch_positions(weights::displacements_of(shape, model_.positions), exact.positions);
   if (coarse_) {
     weights::SharedShape own;
     if (shape) own = std::make_shared<std::vector<Vec3>>(coarse_model_->means(*shape, pool_));
     auto moves = coarse_->deform(pose, {}, own).positions;
-    const auto means = coarse_model_->means(exact.positions, pool_);
+    const auto means =
+        coarse_model_->is_lattice() ? coarse_->blended_ : coarse_model_->means(exact.positions, pool_);
     for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = moves[c] - means[c];
     coarse_model_->move(moves, exact.positions, pool_);
   }

@@ -34,7 +34,7 @@ bool touches(const pose::Cage& cage, std::span<const std::uint32_t> elements, co
 }  // namespace
 
 pose::Weighting weighting_for(const mesh::Surface& model, pose::Weighting weighting) {
-  weighting.in_space = model.triangles.empty();
+  weighting.in_space |= model.triangles.empty();
   return weighting;
 }
 
