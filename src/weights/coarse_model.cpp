@@ -23,11 +23,11 @@ bool stitches_coarse_model(const mesh::Surface& model) {
 
 CoarseModel coarse_model_of(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
                             base::Progress* progress) {
-  if (model.triangles.empty()) return {make_lattice(cage, pool), model.positions, pool};
+  if (model.triangles.empty()) return {Lattice(cage, pool), model.positions, pool};
   return CoarseModel(model, pool, progress);
 }
 
-// Calls find(vertex, terms) for each vertex. It must add the vertex's terms, if any.
+// Calls find(vertex, terms) for each vertex, with empty terms. It must add the vertex's terms, if any.
 template <class Find>
 void CoarseModel::find_terms(std::size_t vertices, base::WorkerPool& pool, const Find& find) {
   base::require_memory({200.0 * static_cast<double>(vertices),
@@ -58,24 +58,15 @@ CoarseModel::CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::
 
 CoarseModel::CoarseModel(const Lattice& lattice, std::span<const mesh::Point> positions,
                          base::WorkerPool& pool)
-    : surface_(lattice.surface), is_lattice_(true) {
-  const auto& points = surface_.positions;
-  const mesh::PointTree tree(points, pose::first_numbers(points.size()));
+    : surface_(lattice.surface()), is_lattice_(true) {
+  const mesh::PointTree tree(surface_.positions, pose::first_numbers(surface_.positions.size()));
   std::vector<std::uint32_t> nearest(positions.size());
   find_terms(positions.size(), pool, [&](std::uint32_t v, std::vector<SurfaceProxy::Term>& terms) {
-    const mesh::Point& p = positions[v];
-    nearest[v] = tree.nearest(p);
-    double sum = 0;
-    tree.for_within(p, spline_reach * lattice.cell, [&](std::uint32_t i) {
-      const double weight = spline_weight(lattice, points[i], p);
-      if (weight > 0) terms.push_back({i, weight});
-      sum += weight;
-    });
-    std::ranges::sort(terms, {}, &SurfaceProxy::Term::cluster);
-    for (auto& term : terms) term.factor /= sum;
+    nearest[v] = tree.nearest(positions[v]);
+    lattice.terms(positions[v], terms);
     if (terms.empty()) terms.push_back({nearest[v], 1});
   });
-  members_ = mesh::make_adjacency(points.size(), [&](const auto& add) {
+  members_ = mesh::make_adjacency(surface_.positions.size(), [&](const auto& add) {
     for (std::uint32_t v = 0; v < nearest.size(); ++v) add(nearest[v], v);
   });
 }
