@@ -32,6 +32,11 @@ const mesh::Surface& with_vertices(const mesh::Surface& model) {
   return model;
 }
 
+pose::Deformer for_model(const mesh::Surface& model, pose::Deformer deformer) {
+  deformer.weighting = weights::weighting_for(model, deformer.weighting);
+  return deformer;
+}
+
 bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
   const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
   return bytes < 0.25 * base::free_memory().value_or(0);
@@ -48,35 +53,35 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const p
       with_tips_(splats_ ? with_tips(model, tip_step_) : mesh::Surface()),
       model_(with_vertices(splats_ ? with_tips_ : model)),
       cage_(std::move(cage)),
-      deformer_(deformer),
+      deformer_(for_model(model, deformer)),
       method_(method),
       pool_(pool),
       mask_(splats_ ? with_tips(mask) : mask),
       state_(cage_, deformer.weighting.elements, deformer.blend),
-      weigher_(*cage_, deformer.weighting),
+      weigher_(*cage_, deformer_.weighting),
       layer_(model_.positions, pool) {
   const std::size_t n = model_.positions.size();
   state_.set_amounts(deformer.amounts);
-  state_.keep_origin(holds_shares(mask_, deformer.weighting));
-  if (deformer.stitched() && weights::needs_coarse_model(model_)) {
+  state_.keep_origin(holds_shares(mask_, deformer_.weighting));
+  if (deformer.stitched() && weights::stitches_coarse_model(model_)) {
     std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.25);
-    coarse_model_.emplace(model_, pool_, progress);
+    coarse_model_.emplace(weights::coarse_model_of(model_, *cage_, pool_, progress));
     part.emplace(progress, 0.25, 0.5);
-    coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, deformer, method, pool,
-                                              weights, coarse_model_->means(mask), progress);
+    coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, deformer_, method, pool,
+                                              weights, coarse_model_->means(mask_), progress);
   } else if (deformer.stitched()) {
     stitching_ = stitch(model_, *cage_, pool_, deformer);
     sums_.resize(n * state_.rows().columns());
-    if (holds_shares(mask_, deformer.weighting)) shares_.resize(n);
+    if (holds_shares(mask_, deformer_.weighting)) shares_.resize(n);
   }
   const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
-  const bool on_surface = deformer.weighting.on_surface();
+  const bool on_surface = deformer_.weighting.on_surface();
   if (on_surface && n > weights::most_solved_vertices) {
-    proxy_.emplace(model_, *cage_, deformer.weighting, pool_, progress);
+    proxy_.emplace(model_, *cage_, deformer_.weighting, pool_, progress);
     row_ = [this](std::uint32_t vertex, std::span<double> row) { proxy_->row(vertex, row); };
   } else if (on_surface) {
-    surface_weights_ = weights::bind(mesh::lent(model_), *cage_, deformer.weighting, pose::EngineKind::staged,
-                                     nullptr, pool_, progress);
+    surface_weights_ = weights::bind(mesh::lent(model_), *cage_, deformer_.weighting,
+                                     pose::EngineKind::staged, nullptr, pool_, progress);
     row_ = known_row(surface_weights_);
   }
   const bool has_all = on_surface && !proxy_;
@@ -149,12 +154,14 @@ ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& pro
     exact.exp_error = std::max(exact.exp_error, error);
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
   });
+  if (stitching_) blended_ = exact.positions;
   if (stitching_) stitch_positions(weights::displacements_of(shape, model_.positions), exact.positions);
   if (coarse_) {
     weights::SharedShape own;
     if (shape) own = std::make_shared<std::vector<Vec3>>(coarse_model_->means(*shape, pool_));
     auto moves = coarse_->deform(pose, {}, own).positions;
-    const auto means = coarse_model_->means(exact.positions, pool_);
+    const auto means =
+        coarse_model_->is_lattice() ? coarse_->blended_ : coarse_model_->means(exact.positions, pool_);
     for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = moves[c] - means[c];
     coarse_model_->move(moves, exact.positions, pool_);
   }

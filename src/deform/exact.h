@@ -83,6 +83,7 @@ private:
   std::unique_ptr<ExactDeformer> coarse_;
   std::vector<double> sums_;          // weighted sums of rows for all vertices, only for stitching
   weights::Shares shares_;            // shares of all vertices, only for stitching
+  std::vector<mesh::Point> blended_;  // positions before stitching, only for stitching
   weights::Binding surface_weights_;  // weights along the surface of a small model; empty for other weights
   std::optional<weights::ProxyWeights> proxy_;  // weights along the surface of a large model
   weights::KnownRow row_;                       // reads surface_weights_ or proxy_; empty for other weights

@@ -303,7 +303,7 @@ void StitchedEngine::run(const pose::CageState& state, sym3::Method method) {
   stitcher_.run(state.rows(), sums_, held, method, iterations_);
   times_ = blender_.times();
   if (whole_) {
-    times_ += move_whole(state);
+    times_ += move_whole(state, method);
   } else {
     blender_.set_layer(layer_);
     blender_.show(stitcher_.positions());
@@ -315,7 +315,7 @@ void StitchedEngine::run(const pose::CageState& state, sym3::Method method) {
 }
 
 // Blends the whole model, and moves it as stitching moved the coarse model. Returns the times of both.
-pose::StageTimes StitchedEngine::move_whole(const pose::CageState& state) {
+pose::StageTimes StitchedEngine::move_whole(const pose::CageState& state, sym3::Method method) {
   const weights::CoarseModel& coarse = *stitching_->coarse;
   whole_->set_layer(nullptr);
   whole_->run(state);
@@ -330,7 +330,9 @@ pose::StageTimes StitchedEngine::move_whole(const pose::CageState& state) {
   });
   sample_ = mesh::picked(std::span<const Vec3>(positions_),
                          weights::spread_vertices(positions_.size(), weights::error_sample));
-  std::vector<Vec3> moves = coarse.means(positions_, pool_);
+  std::vector<Vec3> moves =
+      coarse.is_lattice() ? blended(weights::spread_vertices(bound_->vertices, bound_->vertices), method)
+                          : coarse.means(positions_, pool_);
   for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = stitcher_.positions()[c] - moves[c];
   coarse.move(moves, positions_, pool_);
   times[pose::Stage::apply] = watch.lap_ms();

@@ -91,7 +91,7 @@ public:
 
 private:
   std::vector<Vec3> blended(std::span<const std::size_t> vertices, sym3::Method method) const;
-  pose::StageTimes move_whole(const pose::CageState& state);
+  pose::StageTimes move_whole(const pose::CageState& state, sym3::Method method);
 
   // If there is a coarse model, all members are of this model, except for whole_, positions_ and sample_.
   std::unique_ptr<FusedEngine> whole_;

@@ -296,15 +296,17 @@ std::vector<std::array<Vec3, 2>> Stitching::gradients_of(std::span<const Vec3> x
 Stitching stitch(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
                  const pose::Deformer& deformer, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
-  if (!weights::needs_coarse_model(model)) return stitch_all(model, cage, pool, deformer.holding, progress);
+  if (!weights::stitches_coarse_model(model))
+    return stitch_all(model, cage, pool, deformer.holding, progress);
   std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.5);
-  const auto coarse = std::make_shared<const weights::CoarseModel>(model, pool, progress);
+  const auto coarse =
+      std::make_shared<const weights::CoarseModel>(weights::coarse_model_of(model, cage, pool, progress));
   part.emplace(progress, 0.5, 0.75);
   Stitching stitching = stitch_all(coarse->surface(), cage, pool, deformer.holding, progress);
   part.emplace(progress, 0.75, 1);
   stitching.bound = std::make_shared<const weights::Binding>(
-      weights::bind({coarse, &coarse->surface()}, cage, deformer.weighting, pose::EngineKind::fused, nullptr,
-                    pool, progress));
+      weights::bind({coarse, &coarse->surface()}, cage, weights::weighting_for(model, deformer.weighting),
+                    pose::EngineKind::fused, nullptr, pool, progress));
   stitching.coarse = coarse;
   return stitching;
 }

@@ -484,11 +484,6 @@ Opened open_files(const OpenRequest& request, const document::Document& current,
   if (!document.has_cage() && !opened.session)
     document.put_cage_beside(document::cage_beside(document.model().path));
   put_settings(document, request.settings, opened.has_settings);
-  const bool surfaceless = document.model().surface->triangles.empty() && !opened.has_settings;
-  if (surfaceless && document.deformer().weighting.on_surface() && !request.settings.choice.weights &&
-      !request.settings.preset)
-    document.put_deformer(
-        pose::complete(document::only(pose::default_deformer(false).weighting.weights), document.deformer()));
   opened.has_settings |= request.settings.any();
   return opened;
 }

@@ -26,10 +26,9 @@ void take(const std::string& name, const char* what, std::optional<Value>& value
   if (!name.empty()) value = library::named<Value>(name, what);
 }
 
-pose::Deformer deformer_of(const Blending& b, bool has_triangles) {
+pose::Deformer deformer_of(const Blending& b) {
   pose::AskedDeformer asked;
-  // Smooth weights spread along the surface. A model without faces therefore gets another default deformer.
-  if (has_triangles || b.deformer != Blending{}.deformer) take(b.deformer, "deformer", asked.preset);
+  take(b.deformer, "deformer", asked.preset);
   take(b.weights, "weights", asked.choice.weights);
   take(b.blend, "blend", asked.choice.blend);
   asked.radius = b.radius;
@@ -43,7 +42,7 @@ pose::Deformer deformer_of(const Blending& b, bool has_triangles) {
     if (const auto& value = asked.*number.asked)
       library::check_range(number.word.data(), *value, number.least, number.largest);
   if (b.iterations) library::check_range("iterations", *b.iterations, 1, pose::most_iterations);
-  return pose::deformer_of(asked, pose::default_deformer(has_triangles));
+  return pose::deformer_of(asked, pose::default_deformer());
 }
 
 sym3::Method method_of(const std::string& name) {
@@ -103,7 +102,7 @@ struct Deformer::Impl {
       : model(library::deformable_surface_of(m, "the model")),
         cage(std::make_shared<const pose::Cage>(
             pose::make_cage(library::deformable_surface_of(c, "the cage")))),
-        deformer(deformer_of(blending, !model.triangles.empty())),
+        deformer(deformer_of(blending)),
         method(method_of(blending.method)),
         pool(library::checked_threads(threads)),
         notes(cage->warnings) {}

@@ -122,8 +122,8 @@ std::optional<Preset> preset_of(const Deformer& deformer) {
   return std::nullopt;
 }
 
-Deformer default_deformer(bool has_triangles) {
-  return deformer_of(has_triangles ? Preset::smooth : Preset::paper);
+Deformer default_deformer() {
+  return deformer_of(Preset::smooth);
 }
 
 Deformer complete(const PartialChoice& choice, const Deformer& preferred) {

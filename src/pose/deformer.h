@@ -43,13 +43,18 @@ struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
   double radius = 0.25;  ///< the radius of cut-off weights, relative to the cage's size
+  /// The model has no faces: smooth weights are functions of points in space. Set by bind(), see
+  /// weights::weighting_for(). operator== ignores it, because only weightings of one model are compared.
+  bool in_space = false;
 
   double used_radius() const { return partial() ? radius : 0; }
   /// Returns true if weights end at the radius. If so, the weights of a vertex may sum to less than 1, see
   /// Shares.
   bool partial() const { return weights == Weights::cut_off; }
+  /// Returns true for harmonic and biharmonic weights.
+  bool smooth() const { return weights == Weights::harmonic || weights == Weights::biharmonic; }
   /// Returns true if the weights are functions on the model's surface, and false if of points in space.
-  bool on_surface() const { return weights == Weights::harmonic || weights == Weights::biharmonic; }
+  bool on_surface() const { return smooth() && !in_space; }
   /// Returns true if negative weights are set to 0 and the other weights are rescaled to sum 1.
   bool clamped() const { return weights == Weights::biharmonic; }
   /// Returns true if a and b give equal weights.
@@ -127,9 +132,8 @@ Deformer deformer_of(Preset preset, const Deformer& now = {});
 std::optional<Preset> preset_of(const Deformer& deformer);
 
 /// The default is Preset::smooth. It has the lowest energy over the poses of many models and is never among
-/// the worst (see the manual). Without triangles, the default is Preset::paper, because its weights need no
-/// surface.
-Deformer default_deformer(bool has_triangles = true);
+/// the worst (see the manual).
+Deformer default_deformer();
 
 inline PartialChoice only(Weights weights) {
   return {.weights = weights};

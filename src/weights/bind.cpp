@@ -153,9 +153,10 @@ Binding bind(const mesh::Surface& model, const pose::Cage& cage, const pose::Wei
                        pose::EngineKind::staged, nullptr, pool, progress);
 }
 
-Binding bind(std::shared_ptr<const mesh::Surface> model, const pose::Cage& cage,
-             const pose::Weighting& weighting, pose::EngineKind engine, const Binding* known,
-             base::WorkerPool& pool, base::Progress* progress) {
+Binding bind(std::shared_ptr<const mesh::Surface> model, const pose::Cage& cage, const pose::Weighting& asked,
+             pose::EngineKind engine, const Binding* known, base::WorkerPool& pool,
+             base::Progress* progress) {
+  const pose::Weighting weighting = weighting_for(*model, asked);
   if (model->positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   if (weighting.weights == pose::Weights::mean_value && cage.sides.triangles.empty())
     throw base::Error("", "mean value coordinates need a cage with consistently oriented faces",

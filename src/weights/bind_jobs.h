@@ -54,6 +54,21 @@ struct MeanValueJob {
   }
 };
 
+inline constexpr std::size_t space_group = 4;  ///< number of weights that are computed together
+
+/// The weights w_j(x) = constants[j] + sum over i of coefficients[j, i] * k, see SpaceWeights. k is
+/// sqrt(|x - centers[i]|^2 + width^2) or its inverse.
+struct SpaceJob {
+  const double (*centers)[3];
+  std::size_t count;           ///< number of centers and of weights; a multiple of space_group
+  const double* coefficients;  ///< [j / space_group][i][j % space_group]
+  const double* constants;
+  double width, threshold;
+  bool inverse;
+  const double* points;  ///< [3][lane]
+  double* scratch;       ///< buffer of count * bind_lanes numbers
+};
+
 /// Output for the weights of 16 points (a tile), or for eight points of a tile.
 struct RowJob {
   const double (*handles)[3];  ///< positions

@@ -94,6 +94,64 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
   }
 }
 
+constexpr double farthest_in_space = 1e3;  // limit of coordinates, in cage diagonals
+
+// Writes the functions of the centers at the points in one vector, see SpaceJob.
+static HWY_INLINE void around_centers(const SpaceJob& job, const double* at, double* values) {
+  const PointTag d;
+  const PointV limit = hn::Set(d, farthest_in_space);
+  auto p = load_points(d, at, bind_lanes);
+  for (PointV* x : {&p.x, &p.y, &p.z}) *x = hn::Max(hn::Neg(limit), hn::Min(*x, limit));
+  for (std::size_t i = 0; i < job.count; ++i) {
+    const PointV x = hn::Sub(p.x, hn::Set(d, job.centers[i][0]));
+    const PointV y = hn::Sub(p.y, hn::Set(d, job.centers[i][1]));
+    const PointV z = hn::Sub(p.z, hn::Set(d, job.centers[i][2]));
+    const PointV least = hn::Set(d, job.width * job.width);
+    const PointV r = hn::Sqrt(hn::MulAdd(x, x, hn::MulAdd(y, y, hn::MulAdd(z, z, least))));
+    hn::StoreU(job.inverse ? hn::Div(hn::Set(d, 1), r) : r, d, values + i * bind_lanes);
+  }
+}
+
+// Computes the weights [first, first + space_group) of the points in one vector.
+static HWY_INLINE void sum_in_space(const SpaceJob& job, std::size_t first, const double* values,
+                                    double* weights) {
+  const PointTag d;
+  const double* c = job.coefficients + first * job.count;
+  PointV sums[space_group];
+#pragma GCC unroll 4
+  for (std::size_t j = 0; j < space_group; ++j) sums[j] = hn::Set(d, job.constants[first + j]);
+  for (std::size_t i = 0; i < job.count; ++i, c += space_group) {
+    const PointV value = hn::LoadU(d, values + i * bind_lanes);
+#pragma GCC unroll 4
+    for (std::size_t j = 0; j < space_group; ++j) sums[j] = hn::MulAdd(hn::Set(d, c[j]), value, sums[j]);
+  }
+#pragma GCC unroll 4
+  for (std::size_t j = 0; j < space_group; ++j) hn::StoreU(sums[j], d, weights + (first + j) * bind_lanes);
+}
+
+static void in_space(const SpaceJob& job, double* weights) {
+  const PointTag d;
+  const PointV threshold = hn::Set(d, job.threshold), quarter = hn::Set(d, 0.25 / job.threshold);
+  for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
+    around_centers(job, job.points + l, job.scratch + l);
+    for (std::size_t j = 0; j < job.count; j += space_group)
+      sum_in_space(job, j, job.scratch + l, weights + l);
+    PointV sum = hn::Zero(d);
+    for (std::size_t j = 0; j < job.count; ++j) {
+      double* const at = weights + j * bind_lanes + l;
+      const PointV w = hn::Max(hn::Zero(d), hn::LoadU(d, at)), less = hn::Sub(w, threshold);
+      const PointV kept = hn::IfThenElse(hn::Lt(less, threshold), hn::Mul(quarter, hn::Mul(w, w)), less);
+      hn::StoreU(kept, d, at);
+      sum = hn::Add(sum, kept);
+    }
+    const PointV share = hn::Div(hn::Set(d, 1.0), sum);
+    for (std::size_t j = 0; j < job.count; ++j) {
+      double* w = weights + j * bind_lanes + l;
+      hn::StoreU(hn::Mul(share, hn::LoadU(d, w)), d, w);
+    }
+  }
+}
+
 template <class V>
 struct CutOffSum {
   V weights, near;  // near: 1 if a distance is too small for float precision, else 0

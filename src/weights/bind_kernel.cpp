@@ -17,6 +17,7 @@ static constexpr BindKernel bind = {.inverse_distance = inverse_distance,
                                     .cut_off = cut_off,
                                     .cut_off_rows = cut_off_rows,
                                     .mean_value = mean_value,
+                                    .in_space = in_space,
                                     .to_rows = to_rows,
                                     .take_out = take_out,
                                     .solve = solve};

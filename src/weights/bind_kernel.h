@@ -25,6 +25,8 @@ struct BindKernel {
   /// Writes mean value weights with the sum 1 to weights [corner][8 lanes]. Returns a bit mask of the lanes
   /// that need mean_value_weights(), because the point is too near to a triangle's plane or the sum is 0.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
+  /// Writes the weights of eight points in space to weights [handle][8 lanes], see SpaceWeights.
+  void (*in_space)(const SpaceJob& job, double* weights);
   /// Writes weights [handle][8 lanes] as floats to eight lanes of rows.rows. Computes rows.sums.
   void (*to_rows)(const double* weights, const RowJob& rows);
   /// Makes each row orthogonal to the unit vector `unit_row`: subtracts coefficients[slot] * unit_row. Writes

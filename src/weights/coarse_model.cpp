@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
+#include "pose/cage_state.h"
 
 namespace viete::weights {
 
@@ -16,25 +17,57 @@ bool needs_coarse_model(const mesh::Surface& model) {
                              [&](const auto& t) { return mesh::area(model.positions, t) > 0; });
 }
 
-CoarseModel::CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::WorkerPool& pool)
-    : surface_(proxy.surface()),
-      members_(proxy.members()),
-      blocks_((vertices + vertices_per_block - 1) / vertices_per_block) {
+bool stitches_coarse_model(const mesh::Surface& model) {
+  return model.triangles.empty() || needs_coarse_model(model);
+}
+
+CoarseModel coarse_model_of(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
+                            base::Progress* progress) {
+  if (model.triangles.empty()) return {Lattice(cage, pool), model.positions, pool};
+  return CoarseModel(model, pool, progress);
+}
+
+// Calls find(vertex, terms) for each vertex, with empty terms. It must add the vertex's terms, if any.
+template <class Find>
+void CoarseModel::find_terms(std::size_t vertices, base::WorkerPool& pool, const Find& find) {
   base::require_memory({200.0 * static_cast<double>(vertices),
                         "a coarse copy of " + std::to_string(vertices) + " vertices takes",
                         "use a coarser model", ""});
+  blocks_.resize((vertices + vertices_per_block - 1) / vertices_per_block);
   pool.for_blocks(vertices, vertices_per_block, [&](std::size_t begin, std::size_t end) {
     Block& block = blocks_[begin / vertices_per_block];
     std::vector<SurfaceProxy::Term> terms;
     for (std::size_t v = begin; v < end; ++v) {
       terms.clear();
-      if (const auto i = static_cast<std::uint32_t>(v); proxy.has_cluster(i)) proxy.terms(i, terms);
+      find(static_cast<std::uint32_t>(v), terms);
       block.starts.push_back(static_cast<std::uint32_t>(block.terms.size()));
       for (const auto& [cluster, factor] : terms)
         block.terms.push_back({cluster, static_cast<float>(factor)});
     }
     block.starts.push_back(static_cast<std::uint32_t>(block.terms.size()));
     block.terms.shrink_to_fit();
+  });
+}
+
+CoarseModel::CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::WorkerPool& pool)
+    : surface_(proxy.surface()), members_(proxy.members()) {
+  find_terms(vertices, pool, [&](std::uint32_t v, std::vector<SurfaceProxy::Term>& terms) {
+    if (proxy.has_cluster(v)) proxy.terms(v, terms);
+  });
+}
+
+CoarseModel::CoarseModel(const Lattice& lattice, std::span<const mesh::Point> positions,
+                         base::WorkerPool& pool)
+    : surface_(lattice.surface()), is_lattice_(true) {
+  const mesh::PointTree tree(surface_.positions, pose::first_numbers(surface_.positions.size()));
+  std::vector<std::uint32_t> nearest(positions.size());
+  find_terms(positions.size(), pool, [&](std::uint32_t v, std::vector<SurfaceProxy::Term>& terms) {
+    nearest[v] = tree.nearest(positions[v]);
+    lattice.terms(positions[v], terms);
+    if (terms.empty()) terms.push_back({nearest[v], 1});
+  });
+  members_ = mesh::make_adjacency(surface_.positions.size(), [&](const auto& add) {
+    for (std::uint32_t v = 0; v < nearest.size(); ++v) add(nearest[v], v);
   });
 }
 
@@ -68,6 +101,7 @@ std::vector<Vec3> CoarseModel::means(std::span<const Vec3> of_vertices, base::Wo
   std::vector<Vec3> means(of_vertices.empty() ? 0 : surface_.positions.size(), Vec3{0, 0, 0});
   pool.for_blocks(means.size(), clusters_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
+      if (members_.of(c).empty()) continue;
       for (const auto v : members_.of(c)) means[c] = means[c] + of_vertices[v];
       means[c] = (1 / static_cast<double>(members_.of(c).size())) * means[c];
     }
@@ -81,7 +115,7 @@ Mask CoarseModel::means(const Mask& mask) const {
   for (std::size_t c = 0; c < surface_.positions.size(); ++c) {
     float sum = 0;
     for (const auto v : members_.of(c)) sum += (*mask)[v];
-    means.push_back(sum / static_cast<float>(members_.of(c).size()));
+    means.push_back(members_.of(c).empty() ? 1 : sum / static_cast<float>(members_.of(c).size()));
   }
   return std::make_shared<const std::vector<float>>(std::move(means));
 }

@@ -11,12 +11,16 @@
 #include "mesh/surface.h"
 #include "sym3/small_matrices.h"
 #include "weights/binding.h"
+#include "weights/lattice.h"
 #include "weights/surface_proxy.h"
 
 namespace viete::weights {
 
 /// Returns true if the model has more than most_solved_vertices vertices, and a triangle with an area.
 bool needs_coarse_model(const mesh::Surface& model);
+
+/// Returns true if stitching uses a CoarseModel: a proxy of a large model, or a lattice without faces.
+bool stitches_coarse_model(const mesh::Surface& model);
 
 /// The motion x -> rotation * x + shift.
 struct RigidMotion {
@@ -37,6 +41,9 @@ public:
   explicit CoarseModel(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress = nullptr)
       : CoarseModel(SurfaceProxy(model, pool, progress), model.positions.size(), pool) {}
   CoarseModel(const SurfaceProxy& proxy, std::size_t vertices, base::WorkerPool& pool);
+  /// The clusters are the points of the lattice. A member is nearest to its point. Values are interpolated by
+  /// B-splines or, far from the lattice, are those of the nearest point.
+  CoarseModel(const Lattice& lattice, std::span<const mesh::Point> positions, base::WorkerPool& pool);
 
   const mesh::Surface& surface() const { return surface_; }
   const mesh::Adjacency& members() const { return members_; }
@@ -45,7 +52,8 @@ public:
   /// Replaces clusters that have no triangle with an area: their vertices move with the nearest other
   /// cluster. Returns the number of changed terms. Not thread-safe.
   std::size_t adopt_clusters();
-  /// Return the mean of each cluster's members. If the argument is empty or null, the result is too.
+  /// Return the mean of each cluster's members; without members, no displacement, and the full share. If the
+  /// argument is empty or null, the result is too.
   std::vector<Vec3> means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const;
   Mask means(const Mask& mask) const;
   /// Adds the displacements of clusters, `moves`, to the positions of all vertices.
@@ -55,7 +63,13 @@ public:
   /// Returns the sum of the clusters' displacements at a vertex.
   Vec3 blended(std::span<const Vec3> moves, std::size_t vertex) const;
 
+  /// True if the clusters are the points of a lattice. Then blended positions are those of these points, not
+  /// means.
+  bool is_lattice() const { return is_lattice_; }
+
 private:
+  template <class Find>
+  void find_terms(std::size_t vertices, base::WorkerPool& pool, const Find& find);
   struct Block {
     std::vector<std::uint32_t> starts;  // start of the terms of each vertex, and the end
     std::vector<Term> terms;
@@ -64,6 +78,11 @@ private:
   mesh::Surface surface_;
   mesh::Adjacency members_;
   std::vector<Block> blocks_;
+  bool is_lattice_ = false;
 };
+
+/// Makes the coarse model that is stitched, see stitches_coarse_model().
+CoarseModel coarse_model_of(const mesh::Surface& model, const pose::Cage& cage, base::WorkerPool& pool,
+                            base::Progress* progress = nullptr);
 
 }  // namespace viete::weights

@@ -33,6 +33,11 @@ bool touches(const pose::Cage& cage, std::span<const std::uint32_t> elements, co
 
 }  // namespace
 
+pose::Weighting weighting_for(const mesh::Surface& model, pose::Weighting weighting) {
+  weighting.in_space |= model.triangles.empty();
+  return weighting;
+}
+
 Weigher::Weigher(const pose::Cage& cage, const pose::Weighting& weighting, const sym3::Kernel& kernel)
     : cage_(cage),
       weighting_(weighting),
@@ -43,11 +48,21 @@ Weigher::Weigher(const pose::Cage& cage, const pose::Weighting& weighting, const
   handles_ = relative_to(origin_, {centers.begin(), centers.end()});
   for (const Vec3& p : cage.elements.positions) corners_.push_back(scaled(p));
   if (weighting.on_surface()) return;
-  weighting.weights == pose::Weights::mean_value ? add_views() : add_triangles();
+  if (weighting.smooth()) {
+    add_space_weights();
+  } else {
+    weighting.weights == pose::Weights::mean_value ? add_views() : add_triangles();
+  }
 }
 
 Vec3 Weigher::scaled(const mesh::Point& p) const {
   return scale_ * (p - origin_);
+}
+
+void Weigher::add_space_weights() {
+  std::vector<Vec3> centers;
+  for (const Vec3& handle : handles_) centers.push_back(scale_ * handle);
+  space_.emplace(cage_, weighting_, std::move(centers), scale_);
 }
 
 void Weigher::add_triangles() {
@@ -95,6 +110,7 @@ void Weigher::add_views() {
 }
 
 std::size_t Weigher::scratch_size() const {
+  if (space_) return 2 * space_->buffer_size();
   return bind_lanes * std::max(handles(), corners_.size()) +
          MeanValueJob::scratch_size(corners_.size(), edges_.size());
 }
@@ -115,7 +131,9 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
       return 0;
     case pose::Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case pose::Weights::harmonic:
-    case pose::Weights::biharmonic: break;  // these weights exist only at vertices
+    case pose::Weights::biharmonic:  // on a surface, these weights exist only at vertices
+      if (space_) kernel_.in_space(space_->job(at, scratch.data() + space_->buffer_size()), scratch.data());
+      return 0;
   }
   return 0;
 }
@@ -155,7 +173,7 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
                                        std::span<float> shares) const {
   std::vector<bool> failed(points.size());
   base::AlignedVector<double> scratch(scratch_size());  // unaligned data would take 10 % longer
-  const bool in_float = weighting_.weights != pose::Weights::mean_value;
+  const bool in_float = weighting_.weights != pose::Weights::mean_value && !space_;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {

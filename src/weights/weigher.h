@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,12 +11,16 @@
 #include "weights/bind_kernel.h"
 #include "weights/binding.h"
 #include "weights/leaves.h"
+#include "weights/space_weights.h"
 
 namespace viete::weights {
 
+/// Returns the weighting for this model: smooth weights are on its surface or, without faces, in space.
+pose::Weighting weighting_for(const mesh::Surface& model, pose::Weighting weighting);
+
 /// Computes weights for any points, as in Binding. For definitions, see BindKernel and mean_value_weights().
 /// The error is 1e-13; near an element, rounding in the distance can add more. Weights along the surface
-/// exist only at vertices and are not computed here. Keeps a reference to the cage. Thread-safe.
+/// exist only at vertices and are not computed here; those in space are, see SpaceWeights. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const pose::Cage& cage, const pose::Weighting& weighting,
@@ -43,6 +48,7 @@ public:
   const Vec3& origin() const { return origin_; }
 
 private:
+  void add_space_weights();
   void add_triangles();
   void add_views();
   Vec3 scaled(const mesh::Point& p) const;
@@ -69,6 +75,7 @@ private:
   std::vector<mesh::Edge> edges_;
   std::vector<MeanValueTriangle> views_;
   std::vector<std::uint32_t> without_area_;  // the cage's triangles without area
+  std::optional<SpaceWeights> space_;
 };
 
 }  // namespace viete::weights

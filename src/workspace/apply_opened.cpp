@@ -37,18 +37,10 @@ void report_losses(Workspace& w, const std::string& poses, bool in_file) {
 
 void take_document(Workspace& w, document::Document&& document, bool keep_settings) {
   const document::Document& old = w.document;
-  const bool points = document.model().surface->triangles.empty();
-  auto& replaced = w.files.without_surface;
   if (keep_settings) {
     document.put_method(old.method());
-    if (points && old.deformer().weighting.on_surface()) {  // keeps the deformer of open_files()
-      replaced = {old.deformer(), document.deformer()};
-    } else {
-      const bool restores = !points && replaced && replaced->second == old.deformer();
-      document.put_deformer(restores ? replaced->first : old.deformer());
-    }
+    document.put_deformer(old.deformer());
   }
-  if (!points) replaced.reset();
   document.mark_replacing(old);
   w.document = std::move(document);
   w.view.interaction = {};

@@ -223,8 +223,6 @@ struct Files {
   std::optional<Question> question;            ///< a modal question, which blocks other actions
   std::optional<files::OpenRequest> unopened;  ///< the request that caused the question
   std::optional<Question::Kind> after_saving;  ///< the action to continue after saving
-  /// The user's deformer and its substitute for an open point set. The next surface gets the former.
-  std::optional<std::pair<pose::Deformer, pose::Deformer>> without_surface;
   FileBrowser browser;
 };
 

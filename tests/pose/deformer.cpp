@@ -91,7 +91,6 @@ TEST_CASE("presets_are_recognised_for_any_numbers") {
     if (s.has_maps()) CHECK(preset_of(s) != preset);
   }
   CHECK(default_deformer() == deformer_of(Preset::smooth));
-  CHECK(default_deformer(false) == deformer_of(Preset::paper));
   CHECK(deformer_of(Preset::paper) == Deformer{});
 }
 

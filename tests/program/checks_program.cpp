@@ -156,13 +156,13 @@ TEST_CASE("an_edit_of_the_cage_that_pushes_vertices_out_offers_to_enclose_the_mo
   CHECK_FALSE(c.shows("hide_cage_offer"));
 }
 
-TEST_CASE("points_open_with_a_deformer_that_needs_no_surface_and_the_next_surface_has_the_users_deformer") {
+TEST_CASE("points_and_surfaces_open_with_the_users_deformer") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
   Driver d;
   d.document().put_deformer(pose::default_deformer());
   REQUIRE(d.open({folder / "points.obj"}));
-  CHECK_FALSE(d.document().deformer().weighting.on_surface());
+  CHECK(d.document().deformer() == pose::default_deformer());
   d.open_dragon();
   CHECK(d.document().deformer() == pose::default_deformer());
 }
