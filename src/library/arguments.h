@@ -13,6 +13,8 @@
 #include "base/text.h"
 #include "library/deform.h"
 #include "mesh/surface.h"
+#include "pose/deformer.h"
+#include "sym3/exp.h"
 
 namespace viete::library {
 
@@ -60,6 +62,10 @@ template <class Impl, class... Arguments>
 Hidden<Impl> hidden(Arguments&&... arguments) {
   return {new Impl(std::forward<Arguments>(arguments)...), [](Impl* impl) { delete impl; }};
 }
+
+/// Return the settings. For unknown names and numbers out of range, throw base::Error.
+pose::Deformer deformer_of(const Blending& blending);
+sym3::Method method_of(const std::string& name);
 
 /// Returns a description of the members of Blending, for docstrings: "\nway: ...\n  'smooth': ...".
 std::string settings_text();

@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace viete {
@@ -117,6 +118,37 @@ public:
 private:
   struct Impl;
   Hidden<Impl> impl_;
+};
+
+/// A capture of Gaussian splats. Never changes; copies share the data. Thread-safe.
+class Splats {
+public:
+  /// Reads a PLY file whose vertices have scale_0, rot_0 and opacity, or an SPZ file.
+  explicit Splats(const std::filesystem::path& file);
+
+  // One entry per splat, as in PLY files of captures.
+  std::vector<Point3> vertices() const;                      ///< the centres
+  std::span<const std::array<float, 3>> log_scales() const;  ///< logarithms of the standard deviations
+  std::span<const std::array<float, 4>> rotations() const;   ///< quaternions w, x, y, z of any length
+  std::span<const float> opacities() const;                  ///< logits
+  std::span<const std::array<float, 3>> colors() const;      ///< constant harmonics of red, green, blue
+  /// The other spherical harmonics: first the 3, 8 or 15 of red, then of green, then of blue.
+  std::span<const float> harmonics() const;
+  /// Warnings about the file, one line each.
+  const std::vector<std::string>& notes() const;
+
+  /// Deforms centres, sizes, rotations and colours. `pose` has three numbers for each vertex of the cage.
+  /// Gives the same bits as `viete deform`. `threads` is as for Deformer.
+  Splats deformed(const Mesh& cage, std::span<const double> pose, const Blending& blending = {},
+                  int threads = 0, const Watch& watch = {}) const;
+  /// Writes all content of the file, atomically. Other formats than PLY and SPZ get only the centres. Returns
+  /// warnings.
+  std::vector<std::string> write(const std::filesystem::path& file) const;
+
+private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+  explicit Splats(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 };
 
 /// Blends shapes of a mesh in log space: halfway to 180 degrees is 90 degrees. Not thread-safe.

@@ -26,30 +26,6 @@ void take(const std::string& name, const char* what, std::optional<Value>& value
   if (!name.empty()) value = library::named<Value>(name, what);
 }
 
-pose::Deformer deformer_of(const Blending& b) {
-  pose::AskedDeformer asked;
-  take(b.deformer, "deformer", asked.preset);
-  take(b.weights, "weights", asked.choice.weights);
-  take(b.blend, "blend", asked.choice.blend);
-  asked.radius = b.radius;
-  asked.rotation = b.rotation;
-  asked.stretch = b.stretch;
-  asked.arap = b.arap;
-  asked.iterations = b.iterations;
-  asked.attach = b.attach;
-  asked.hold = b.hold;
-  for (const pose::NumberEntry& number : pose::all_numbers())
-    if (const auto& value = asked.*number.asked)
-      library::check_range(number.word.data(), *value, number.least, number.largest);
-  if (b.iterations) library::check_range("iterations", *b.iterations, 1, pose::most_iterations);
-  return pose::deformer_of(asked, pose::default_deformer());
-}
-
-sym3::Method method_of(const std::string& name) {
-  if (const auto method = sym3::method_from_name(name)) return *method;
-  throw base::Error("method", "unknown name " + name, "choose diag, sd, improved_sd or fast");
-}
-
 void check_turns(const std::vector<Point3>* turns) {
   if (!turns) return;
   for (const Point3& turn : *turns)
@@ -71,6 +47,30 @@ void write(std::span<const mesh::Point> points, std::span<double> to) {
 }
 
 }  // namespace
+
+pose::Deformer library::deformer_of(const Blending& b) {
+  pose::AskedDeformer asked;
+  take(b.deformer, "deformer", asked.preset);
+  take(b.weights, "weights", asked.choice.weights);
+  take(b.blend, "blend", asked.choice.blend);
+  asked.radius = b.radius;
+  asked.rotation = b.rotation;
+  asked.stretch = b.stretch;
+  asked.arap = b.arap;
+  asked.iterations = b.iterations;
+  asked.attach = b.attach;
+  asked.hold = b.hold;
+  for (const pose::NumberEntry& number : pose::all_numbers())
+    if (const auto& value = asked.*number.asked)
+      check_range(number.word.data(), *value, number.least, number.largest);
+  if (b.iterations) check_range("iterations", *b.iterations, 1, pose::most_iterations);
+  return pose::deformer_of(asked, pose::default_deformer());
+}
+
+sym3::Method library::method_of(const std::string& name) {
+  if (const auto method = sym3::method_from_name(name)) return *method;
+  throw base::Error("method", "unknown name " + name, "choose diag, sd, improved_sd or fast");
+}
 
 std::string library::settings_text() {
   std::string text;
@@ -102,8 +102,8 @@ struct Deformer::Impl {
       : model(library::deformable_surface_of(m, "the model")),
         cage(std::make_shared<const pose::Cage>(
             pose::make_cage(library::deformable_surface_of(c, "the cage")))),
-        deformer(deformer_of(blending)),
-        method(method_of(blending.method)),
+        deformer(library::deformer_of(blending)),
+        method(library::method_of(blending.method)),
         pool(library::checked_threads(threads)),
         notes(cage->warnings) {}
 

@@ -141,6 +141,7 @@ void define_deformation(py::module_& m) {
   define_files(m);
   define_deformer(m);
   define_spaces(m);
+  define_splats(m);
 }
 
 }  // namespace viete::python

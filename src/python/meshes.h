@@ -21,6 +21,8 @@ void define_deformation(py::module_& m);
 void define_files(py::module_& m);
 /// Defines ShapeSpace, PoseSpace, Session.
 void define_spaces(py::module_& m);
+/// Defines Splats.
+void define_splats(py::module_& m);
 
 using Points = std::vector<Point3>;
 

@@ -1,0 +1,107 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "library/arguments.h"
+#include "python/meshes.h"
+
+namespace viete::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Number = std::optional<double>;
+
+/// Returns a copy of numbers of splats as an array of float32 with this shape.
+template <class T>
+py::array_t<float> copy_of(std::span<const T> values, const std::vector<py::ssize_t>& shape) {
+  return py::array_t<float>(shape, reinterpret_cast<const float*>(values.data()));
+}
+
+py::array_t<float> harmonics_of(const Splats& splats) {
+  const auto count = static_cast<py::ssize_t>(splats.opacities().size());
+  const auto all = static_cast<py::ssize_t>(splats.harmonics().size());
+  return copy_of(splats.harmonics(), {count, 3, count > 0 ? all / (3 * count) : 0});
+}
+
+Splats deformed(const Splats& splats, const py::object& cage_vertices, const py::object& cage_faces,
+                const py::object& pose, const std::string& name, const std::string& weights,
+                const std::string& blend, Number radius, Number rotation, Number stretch, bool arap,
+                std::optional<int> iterations, Number attach, Number hold, const std::string& method,
+                int threads) {
+  const Mesh cage = mesh_of("Splats.deform", cage_vertices, cage_faces);
+  const Contiguous<double> to = rows_of_3("Splats.deform", pose);
+  const Blending blending{name, weights,    blend,  radius, rotation, stretch,
+                          arap, iterations, attach, hold,   method};
+  const py::gil_scoped_release release;
+  return splats.deformed(cage, numbers_of(to), blending, threads, heed_signals);
+}
+
+}  // namespace
+
+void define_splats(py::module_& m) {
+  const auto none = py::none();
+  const auto count = [](const Splats& s) { return static_cast<py::ssize_t>(s.opacities().size()); };
+  py::class_<Splats>(m, "Splats",
+                     "A capture of Gaussian splats. Never changes. Arrays are copies, as in PLY files.")
+      .def(py::init([](const fs::path& file) {
+             const py::gil_scoped_release release;
+             return Splats(file);
+           }),
+           py::arg("path"), "Reads .ply with scale_0, rot_0 and opacity, or .spz. Raises Error.")
+      .def("__len__", count)
+      .def_property_readonly(
+          "vertices", [](const Splats& s) { return array_of(s.vertices()); }, "Centres, (n, 3) float64.")
+      .def_property_readonly(
+          "log_scales",
+          [=](const Splats& s) {
+            return copy_of(s.log_scales(), {count(s), 3});
+          },
+          "Logarithms of the standard deviations along the axes, (n, 3) float32.")
+      .def_property_readonly(
+          "rotations",
+          [=](const Splats& s) {
+            return copy_of(s.rotations(), {count(s), 4});
+          },
+          "Quaternions w, x, y, z of any length, (n, 4) float32; the axes are the columns of their matrices.")
+      .def_property_readonly(
+          "opacities", [=](const Splats& s) { return copy_of(s.opacities(), {count(s)}); },
+          "Logits of the opacities, (n,) float32.")
+      .def_property_readonly(
+          "colors",
+          [=](const Splats& s) {
+            return copy_of(s.colors(), {count(s), 3});
+          },
+          "Coefficients of the constant spherical harmonic, (n, 3) float32.")
+      .def_property_readonly("harmonics", harmonics_of,
+                             "Coefficients of the other harmonics, (n, 3, k) float32 with k = 0, 3, 8 or 15.")
+      .def_property_readonly(
+          "notes", [](const Splats& s) { return s.notes(); }, "Warnings about the file, one line each.")
+      .def("deform", deformed, py::arg("cage_vertices"), py::arg("cage_faces"), py::arg("pose"),
+           py::arg("deformer") = "smooth", py::kw_only(), py::arg("weights") = "", py::arg("blend") = "",
+           py::arg("radius") = none, py::arg("rotation") = none, py::arg("stretch") = none,
+           py::arg("arap") = false, py::arg("iterations") = none, py::arg("attach") = none,
+           py::arg("hold") = none, py::arg("method") = "fast", py::arg("threads") = 0,
+           "Returns new splats whose centres, sizes, rotations and colours follow the cage, with the bits of "
+           "`viete "
+           "deform`.\n\ncage_vertices (k, 3), cage_faces: the cage at rest. pose (k, 3): its posed vertices. "
+           "Other "
+           "arguments are those of Deformer. Ctrl-C cancels. Raises Error.")
+      .def(
+          "write",
+          [](const Splats& s, const fs::path& file) {
+            const py::gil_scoped_release release;
+            return s.write(file);
+          },
+          py::arg("path"),
+          "Writes .ply or .spz atomically, with all other content of the file that was read. Other formats "
+          "get only "
+          "the centres. Returns warnings, one line each. Raises Error.");
+}
+
+}  // namespace viete::python
