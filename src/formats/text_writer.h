@@ -39,7 +39,7 @@ struct Content {
   std::span<const mesh::Point> positions;  ///< these positions are written, not surface.positions
   const std::vector<std::string>& comments;
   const Attributes* attributes = nullptr;  ///< attributes of the surface; may be null
-  /// The posed splats of a capture, one per position. If null, only an unmoved capture can be written.
+  /// Posed splats, one per position. Invalid numbers keep those of the file. If null, only unmoved captures.
   const mesh::Splats* splats = nullptr;
   /// For a capture: the vertex of `surface` from which each written vertex takes its other properties. If
   /// empty, each vertex takes its own.

@@ -76,6 +76,8 @@ TEST_CASE("posed_ply_captures_change_only_numbers_that_differ") {
   for (const char* format : ply_formats) {
     CapturePly ply = capture(format, 24);
     ply.names.insert(ply.names.begin() + 1, "label");
+    ply.before += "element lens 1\nproperty uchar f\n";
+    ply.lead = std::string(format) == "ascii" ? "66\n" : "B";
     ply.after = "element camera 1\nproperty uchar a\n";
     ply.tail = std::string(format) == "ascii" ? "65\n" : "A";
     const ReadResult r = test::read_kept(ply.bytes(), "ply");

@@ -15,7 +15,7 @@ struct CapturePly {
   std::vector<std::string> names = {"x", "y", "z"};  ///< of float properties
   std::size_t count = 4;
   std::string before = "comment trained for 30,000 steps\n", after = "";  ///< lines around the vertices
-  std::string tail = "";                                                  ///< bytes after the vertices
+  std::string lead = "", tail = "";                                       ///< bytes around the vertices
   std::function<float(std::size_t, std::size_t)> value = [](std::size_t v, std::size_t p) {
     return 0.25F * static_cast<float>(p) - 1.5F * static_cast<float>(v) + 0.125F;
   };
@@ -41,7 +41,7 @@ struct CapturePly {
   }
 
   std::string bytes() const {
-    std::string all = header();
+    std::string all = header() + lead;
     const auto order = format == "binary_big_endian" ? std::endian::big : std::endian::little;
     for (std::size_t v = 0; v < count; ++v)
       for (std::size_t p = 0; p < names.size(); ++p) {
