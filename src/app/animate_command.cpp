@@ -160,6 +160,7 @@ void add_animate_command(CLI::App& app, Action& action) {
   add_output_options(
       *command, o->output,
       "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)");
+  add_split_option(*command, o->output);
   add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
   auto* step = command->add_option("--step", o->step, "Export every Nth frame");

@@ -64,6 +64,11 @@ CLI::Option* add_output_options(CLI::App& app, Output& output, const std::string
   return file;
 }
 
+void add_split_option(CLI::App& app, Output& output) {
+  app.add_flag("--split", output.split,
+               "Captures: split splats whose longest axis grows by more than 2.5 times");
+}
+
 void check_usage(const Inputs& inputs) {
   if (inputs.session()) {
     if (inputs.cage.empty() && inputs.pose.empty()) return;
@@ -167,6 +172,7 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
 files::Export export_to(const Output& output, const files::Opened& opened) {
   files::Export what = files::export_of(*opened.document, output.file);
   what.digits = output.digits;
+  what.split = output.split;
   if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
   return what;
 }
