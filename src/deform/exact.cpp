@@ -158,7 +158,7 @@ ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& pro
     const auto means =
         coarse_model_->is_lattice() ? coarse_->blended_ : coarse_model_->means(exact.positions, pool_);
     for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = moves[c] - means[c];
-    coarse_model_->move(moves, exact.positions, pool_);
+    coarse_model_->move(moves, mask_, exact.positions, pool_);
   }
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);
