@@ -109,6 +109,16 @@ std::vector<Vec3> CoarseModel::means(std::span<const Vec3> of_vertices, base::Wo
   return means;
 }
 
+std::vector<Vec3> CoarseModel::shape_of(std::span<const Vec3> shape, std::span<const Vec3> rest,
+                                        base::WorkerPool& pool) const {
+  if (!is_lattice_) return means(shape, pool);
+  std::vector<Vec3> moves(shape.begin(), shape.end());
+  for (std::size_t v = 0; v < moves.size(); ++v) moves[v] = moves[v] - rest[v];
+  moves = means(moves, pool);
+  for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = surface_.positions[c] + moves[c];
+  return moves;
+}
+
 Mask CoarseModel::means(const Mask& mask) const {
   if (!mask || is_lattice_) return nullptr;
   std::vector<float> means;

@@ -14,7 +14,7 @@ namespace viete::weights {
 
 namespace {
 
-// Chosen by energy, leak and distance from the cage over 40 poses of 10 models.
+// Chosen by energy, leak and distance from the cage over the poses of six models.
 constexpr double width = 1;                               // e, in spacings
 constexpr double soft_biharmonic = 6, soft_harmonic = 1;  // 1 / s, in spacings
 constexpr double threshold = 0.3;                         // d, in mean weights
