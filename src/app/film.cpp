@@ -73,11 +73,17 @@ void make_film(const fs::path& film, const fs::path& folder, std::size_t picture
                FilmQuality quality, base::Progress& progress) {
   const std::string extension = formats::extension_of(film);
   const fs::path made = folder / ("film." + extension), report = folder / "progress.txt";
-  std::vector<std::string> words = {"ffmpeg",     "-nostdin",
-                                    "-v",         "error",
-                                    "-progress",  "file:" + report.string(),
-                                    "-framerate", base::formatted("%.9g", rate),
-                                    "-i",         (folder / "%06d.png").string()};
+  std::vector<std::string> words = {"ffmpeg",
+                                    "-y",
+                                    "-nostdin",
+                                    "-v",
+                                    "error",
+                                    "-progress",
+                                    "file:" + report.string(),
+                                    "-framerate",
+                                    base::formatted("%.9g", rate),
+                                    "-i",
+                                    (folder / "%06d.png").string()};
   for (const std::string& word : codec(extension, quality)) words.push_back(word);
   words.push_back(made.string());
   base::ChildProgram ffmpeg(words, advice);
