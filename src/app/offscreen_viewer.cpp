@@ -228,10 +228,7 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
     render::write_png(name.file(run.frames[i]), viewer.picture());
   }
   progress.report(1);
-  std::vector<std::string> notes = files::other_files_note(name, run.frames);
-  const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // ffmpeg does not support these numbers
-  if (!has_gaps) notes.push_back(ffmpeg_command(run));
-  return notes;
+  return files::other_files_note(name, run.frames);
 }
 
 }  // namespace viete::app

@@ -172,8 +172,8 @@ struct MatrixBench {
 constexpr MatrixBench matrix_benches[] = {
     {"exp", "Measure the time of exp by method, layout and size", "Number of matrices", paper_count,
      most_matrices, true, run_exp},
-    {"eigen", "Measure the time of eigenvalues: QR, Viete's formula and Fast", "Number of matrices",
-     paper_count, most_matrices, false, run_eigen},
+    {"eigen", "Measure the time of eigenvalues and eigenvectors", "Number of matrices", paper_count,
+     most_matrices, false, run_eigen},
     {"accuracy", "Measure the error of exp by method, eigenvalue gap, spread and scale",
      "Number of matrices per row", 4096, 1'000'000, true, run_accuracy},
     {"sym3", "Check every guarantee of exp by kernel and layout", "Number of matrices in memory", paper_count,

@@ -386,8 +386,9 @@ void check_animation_export(const AnimationExport& what) {
         file.string(),
         extension.empty() ? "the file name has no extension" : "unknown extension ." + extension,
         "use " + formats::format_extensions(formats::is_sequence, ", ") + ", " +
-            formats::format_extensions(formats::holds_morphs) +
-            ", or numbered models or pictures (frame_####.obj, frame_####.png)");
+            formats::format_extensions(formats::holds_morphs) + ", a film (" +
+            base::listed(std::vector<std::string>(film_formats.begin(), film_formats.end())) +
+            "), or numbered models or pictures (frame_####.obj, frame_####.png)");
   if (!is_numbered(what) && !is_animation_format(extension))
     throw base::Error(file.string(), "this format stores only one frame per file",
                       "use a numbered name: " + (file.stem() += "_####." + extension).string());

@@ -64,7 +64,10 @@ std::vector<std::string_view> FileBrowser::formats() const {
     add(formats::is_sequence);
     add(formats::holds_morphs);
     add(purpose == Purpose::animation ? formats::keeps_order : formats::holds_one_frame);
-    if (purpose == Purpose::save_animation) names.push_back("png");
+    if (purpose == Purpose::save_animation) {
+      names.push_back("png");
+      names.insert(names.end(), files::film_formats.begin(), files::film_formats.end());
+    }
   } else {
     add(formats::holds_surface);
     if (purpose == Purpose::shapes) add(formats::is_sequence);
@@ -78,7 +81,7 @@ bool FileBrowser::makes_morphs() const {
 }
 
 bool FileBrowser::makes_pictures() const {
-  return purpose == Purpose::save_animation && format_of(*this) == "png";
+  return purpose == Purpose::save_animation && (format_of(*this) == "png" || files::is_film(path));
 }
 
 std::pair<fs::path, std::size_t> FileBrowser::replaced() const {
@@ -195,7 +198,8 @@ namespace {
 
 // If the format stores only one model per file, adds "_####" for the frame number to the name.
 fs::path animation_name(const fs::path& file) {
-  if (files::is_animation_format(formats::extension_of(file)) || base::NumberedName::is_pattern(file))
+  if (files::is_animation_format(formats::extension_of(file)) || files::is_film(file) ||
+      base::NumberedName::is_pattern(file))
     return file;
   return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
 }
