@@ -213,7 +213,8 @@ void add_animate_command(CLI::App& app, Action& action) {
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals, "glTF: omit normals, which halves the file size");
   command->add_flag("--linear", o->linear, "Interpolate vertex positions linearly");
-  add_choice<FilmQuality>(*command, "--quality", "Quality of a film", o->quality)->default_str("medium");
+  add_choice<FilmQuality>(*command, "--quality", "Films: quality, low, medium or high", o->quality)
+      ->default_str("medium");
   command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
   add_picture_options(*command, o->picture);
   add_examples(*command,
