@@ -64,9 +64,12 @@ constexpr Condition has_example{[](const Workspace& w) { return !w.files.example
 constexpr Condition can_import{
     [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a cage first. Leave cage editing."};
-constexpr Condition can_import_shapes{
+constexpr Condition can_import_animation{
     [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a model first. Leave cage editing."};
+constexpr Condition can_import_shapes{
+    [](const Workspace& w) { return w.document.has_faces() && can_import_animation(w); },
+    "Open a model with faces first. Leave cage editing."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline().keys.empty() &&
                                                   !is_editing_cage(w.document);
@@ -163,7 +166,7 @@ void add_animation_file_commands(CommandTable& table) {
   table.add("import_animation", "Import animation",
             "Import keys from numbered files of the posed cage, a point cache (PC2, MDD) of cage or model, "
             "or animated morph targets (glTF).",
-            can_import_shapes, browse_for<Purpose::animation>);
+            can_import_animation, browse_for<Purpose::animation>);
   table.add(
       "save_animation", "Export animation",
       "Write the playback range as numbered models, a point cache (PC2, MDD) or glTF with morph targets.",

@@ -1,7 +1,9 @@
 // Captures (Gaussian splats) and point sets in the view.
+#include "program/command_line.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
 #include "workspace/apply_opened.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -182,4 +184,96 @@ TEST_CASE("points_of_a_file_are_drawn_with_their_colors") {
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)
     blue += image.rgba[i] < 10 && image.rgba[i + 1] < 10 && image.rgba[i + 2] > 250 ? 1 : 0;
   CHECK(blue > 400 * 10);
+}
+
+TEST_CASE("an_opened_capture_follows_the_mouse_and_its_export_is_that_of_viete_deform") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"capture.ply", "capture.spz"}) {
+    INFO(name);
+    const document::OpenedSurface ball = capture_of_ball(3);
+    const mesh::Surface& points = *ball.surface;
+    formats::write(folder / name, {points, points.positions, {}, nullptr, ball.splats.get()}, nullptr, {});
+    formats::write(folder / "cage.obj", test::ball(1.2, 1));
+    Driver d(test::small_options());
+    REQUIRE(d.open({folder / name, folder / "cage.obj"}));
+    d.settle();
+    const std::uint32_t v = d.free_vertex();
+    d.drag(d.vertex(v), d.vertex(v) + glm::vec2(40, 25));
+    d.settle();
+    REQUIRE(d.moved().size() == 1);
+    const auto posed = folder / (std::string("posed_") + name), deformed = folder / name;
+    d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, posed);
+    d.frame();
+    REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+    REQUIRE(workspace::save_session(d.workspace(), folder / "s.viete"));
+    const auto same = folder / (std::string("same_") + name);
+    const test::Outcome outcome =
+        test::run("deform " + test::quoted(folder / "s.viete") + " -o " + test::quoted(same));
+    INFO(outcome.text);
+    CHECK(outcome.code == 0);
+    CHECK(test::file_bytes(same) == test::file_bytes(posed));
+    CHECK(test::file_bytes(posed) != test::file_bytes(folder / name));
+  }
+}
+
+TEST_CASE("splats_under_the_mouse_are_inspected_painted_and_probed") {
+  Scene scene(capture_of_ball(4));
+  auto& w = scene.d.workspace();
+  w.view.options.panels = true;
+  scene.look(0);
+  scene.d.settle();
+  const glm::vec2 middle = w.view.viewport.middle();
+  const auto& positions = w.document.model().surface->positions;
+  const mesh::Point toward = w.document.space().to_file(glm::dvec3(w.view.camera.eye()));
+  const auto is_in_front = [&](const mesh::Point& p) {
+    return mesh::dot(p, toward) > 0.99 * mesh::norm(p) * mesh::norm(toward);
+  };
+  scene.d.move(middle);
+  scene.d.run("pick_vertex");
+  REQUIRE(w.view.vertex.vertex);
+  CHECK(is_in_front(positions[*w.view.vertex.vertex]));
+  scene.d.run("add_probe");
+  REQUIRE(w.document.probes().all.size() == 1);
+  CHECK(is_in_front(w.document.probes().all[0].place));
+  scene.d.run("tool_paint");
+  scene.d.drag(middle, middle + glm::vec2(3, 0));
+  REQUIRE(w.document.mask());
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if ((*w.document.mask())[v] == 0) CHECK(mesh::dot(positions[v], toward) > 0);
+}
+
+TEST_CASE("maps_of_surfaces_are_not_available_for_captures_and_maps_of_matrices_are_complete") {
+  Scene scene(capture_of_ball(3));
+  auto& w = scene.d.workspace();
+  w.document.put_mask(
+      std::make_shared<const std::vector<float>>(w.document.model().surface->positions.size(), 0.5F));
+  for (mesh::Point& p : w.document.changed_pose().positions) p[1] *= 1.3;
+  using analysis::Field;
+  for (const Field field :
+       {Field::volume, Field::gap, Field::exp_error, Field::frame_error, Field::displacement}) {
+    INFO(base::entry_of(field).word);
+    w.view.options.field = field;
+    scene.d.settle();
+    scene.d.viewer().finish_views();
+    scene.d.frame(3);
+    const auto& shown = w.view.split.views[0].shown;
+    REQUIRE(shown.values);
+    CHECK(shown.values->size() == w.document.model().surface->positions.size());
+  }
+  CHECK(w.view.split.views[0].shown.stats.most > 0.01);
+  for (const Field field : {Field::area, Field::energy, Field::signed_difference}) {
+    w.view.options.field = field;
+    CHECK(workspace::shown_field(w) == Field::none);
+  }
+  w.view.options.field = Field::none;
+}
+
+TEST_CASE("commands_that_need_faces_are_disabled_for_captures") {
+  Scene scene(capture_of_ball(3));
+  const auto& w = scene.d.workspace();
+  for (const char* command :
+       {"add_pin", "import_shapes", "toggle_wireframe", "shading_zebra", "next_shading"})
+    CHECK_FALSE(workspace::find_command(command)->enabled(w));
+  for (const char* command : {"add_probe", "tool_paint", "save_model", "pick_vertex", "import_animation"})
+    CHECK(workspace::find_command(command)->enabled(w));
 }
