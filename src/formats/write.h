@@ -13,7 +13,7 @@
 
 namespace viete::formats {
 
-/// What a capture loses in formats that store only its points.
+/// The content of a capture that formats without splats do not store.
 inline constexpr std::string_view splat_content = "sizes, rotations, opacities and colours of splats";
 
 /// Writes a surface. OBJ, OFF (text) and PLY (binary) keep polygons and vertices exactly. STL (text) keeps

@@ -201,6 +201,15 @@ TEST_CASE("an_opened_capture_follows_the_mouse_and_its_export_is_that_of_viete_d
     d.drag(d.vertex(v), d.vertex(v) + glm::vec2(40, 25));
     d.settle();
     REQUIRE(d.moved().size() == 1);
+    const auto proposed = [&](const char* command) {
+      d.run(command);
+      d.workspace().files.browser.open = false;
+      d.frame();
+      return std::filesystem::path(d.workspace().files.browser.suggested);
+    };
+    CHECK(proposed("save_model").extension() == std::filesystem::path(name).extension());
+    d.run("set_key");
+    CHECK(proposed("save_animation") == "capture_####" + std::filesystem::path(name).extension().string());
     const auto posed = folder / (std::string("posed_") + name), deformed = folder / name;
     d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, posed);
     d.frame();

@@ -35,8 +35,9 @@ TEST_CASE("panels_show_the_size_of_surfaces_and_of_the_selection") {
 
 TEST_CASE("panels_name_splats_and_points_instead_of_triangles") {
   for (const bool capture : {true, false}) {
-    document::OpenedSurface points =
-        document::generated_surface({.positions = test::ball(1, 2).positions}, "points");
+    mesh::Surface surface;
+    surface.positions = test::ball(1, 2).positions;
+    document::OpenedSurface points = document::generated_surface(std::move(surface), "points");
     auto splats = std::make_shared<mesh::Splats>();
     splats->resize(162);
     if (capture) points.splats = splats;
@@ -47,6 +48,8 @@ TEST_CASE("panels_name_splats_and_points_instead_of_triangles") {
     PanelDriver d(std::move(w));
     CHECK(d.says(capture ? "Model capture 162 Splats" : "Model points 162 Points"));
     CHECK_FALSE(d.says("triangles"));
+    for (const char* section : {"Analysis", "Map"}) d.workspace().preferences.layout.sections[section] = true;
+    d.frame(3);
     d.place_of("map");
     CHECK(d.says("this map needs a model with faces"));
   }
