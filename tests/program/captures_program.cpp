@@ -1,4 +1,5 @@
 // Captures (Gaussian splats) and point sets in the view.
+#include "formats/read.h"
 #include "program/command_line.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
@@ -285,4 +286,34 @@ TEST_CASE("commands_that_need_faces_are_disabled_for_captures") {
     CHECK_FALSE(workspace::find_command(command)->enabled(w));
   for (const char* command : {"add_probe", "tool_paint", "save_model", "pick_vertex", "import_animation"})
     CHECK(workspace::find_command(command)->enabled(w));
+}
+
+TEST_CASE("a_probe_without_a_cage_turns_splats_in_the_view_and_in_the_export") {
+  const test::TemporaryFolder folder;
+  const document::OpenedSurface ball = capture_of_ball(3);
+  const mesh::Surface& points = *ball.surface;
+  formats::write(folder / "capture.ply", {points, points.positions, {}, nullptr, ball.splats.get()}, nullptr,
+                 {});
+  Driver d(test::small_options(), test::with_pixels);
+  REQUIRE(d.open({folder / "capture.ply"}));
+  d.run("add_probe");
+  d.workspace().view.options.panels = d.workspace().view.options.cage = false;
+  d.settle();
+  const render::Image before = d.picture();
+  auto& pose = d.document().changed_probes().all[0].pose;
+  pose.turn = {0, 0, 1};
+  pose.move = {0, 0.3, 0};
+  d.settle();
+  CHECK(test::difference(d.picture(), before, 30) > 0.001);
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, folder / "posed.ply");
+  d.frame();
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  const formats::ReadResult posed = formats::read(folder / "posed.ply");
+  REQUIRE(posed.splats);
+  const auto& rotations = posed.splats->rotations;
+  std::size_t turned = 0;
+  for (std::size_t v = 0; v < rotations.size(); ++v)
+    turned += rotations[v] != ball.splats->rotations[v] ? 1 : 0;
+  CHECK(turned > rotations.size() / 100);
+  CHECK(turned < rotations.size());
 }
