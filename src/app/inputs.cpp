@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/format_table.h"
-#include "mesh/triangle.h"
 
 namespace viete::app {
 
@@ -38,15 +37,6 @@ void add_deformer_options(CLI::App& app, document::RequestedSettings& settings) 
 void check(const Output& output, const FilesInUse& files, const files::FrameSteps* frames) {
   if (!frames) return check_output(output.file, output.content, files, output.force);
   check_output(output.file, *frames, files, force_of(output.force));
-}
-
-// Throws base::Error if all triangles have zero area: LogSpace cannot represent such a model.
-void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
-  const auto& p = model.positions;
-  const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
-  if (std::ranges::none_of(model.triangles, has_area))
-    throw base::Error(file.string(), "all faces of this model have zero area",
-                      "choose another model as the rest shape");
 }
 
 }  // namespace
@@ -155,7 +145,7 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
     files::check_drawable(all.model);
     files::check_deformable(all.model);
     const mesh::Surface& surface = *all.model.document->model().surface;
-    check_has_area(model, surface);
+    files::check_shape_rest(model.string(), surface);
     files::check_shape_count(model.string(), shapes.size(), surface);
     for (const auto& file : shapes) {
       files::ImportedShapes read = files::read_shapes({&file, 1}, surface, &work.progress());

@@ -105,7 +105,8 @@ void print_missing(const workspace::Workspace& w) {
   if (workspace::shown_field(w) != w.view.options.field)
     print_notes(
         {"the map " + std::string(base::entry_of(w.view.options.field).word) +
-         " is not available: some maps need a cage and a blend in log space, others a cage or probes"});
+         " is not available: some maps need a cage and a blend in log space, others a cage or probes, "
+         "or a model with faces"});
   for (const workspace::SplitView& view : w.view.split.views)
     for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);

@@ -100,6 +100,7 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   });
   if (auto note = formats::rounding_note(model.rounding(), diagonal_of(what)); !note.empty())
     notes.add({std::move(note)});
+  if (what.model.splats) notes.add({"left out of the point cache: " + std::string(formats::splat_content)});
   report.notes = notes.take();
   report.summary = base::counted(frames.size(), "frame") + " of " +
                    base::with_thousands(what.model.model->positions.size()) + " vertices, " +

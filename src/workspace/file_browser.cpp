@@ -211,7 +211,10 @@ fs::path chosen_file(const FileBrowser& browser) {
   const bool session = browser.purpose == Purpose::save_session;
   if (session && !files::is_session(file)) file += files::session_extension;
   const bool animation = browser.purpose == Purpose::save_animation;
-  if (browser.saves() && !session && file.extension().empty()) file += animation ? ".pc2" : ".obj";
+  if (browser.saves() && !session && file.extension().empty()) {
+    const fs::path extension = fs::path(browser.suggested).extension();
+    file += !extension.empty() ? extension : animation ? ".pc2" : ".obj";
+  }
   return animation ? animation_name(file) : file;
 }
 
