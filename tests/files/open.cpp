@@ -431,3 +431,15 @@ TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
   CHECK(own.files.saved.session.empty());
   CHECK_FALSE(has_unsaved_edits(own));
 }
+
+TEST_CASE("shapes_of_points_are_refused") {
+  const test::CubeFiles files;
+  test::put_file(files / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
+  const Opened points = open_files({OpenRequest::What::model, {files / "points.obj"}}, {});
+  try {
+    open_files({OpenRequest::What::shapes, {files / "points.obj"}}, *points.document);
+    FAIL("not refused");
+  } catch (const base::Error& refused) {
+    CHECK(test::mentions(refused.what(), "shapes need a model with faces, and this model has only points"));
+  }
+}

@@ -223,6 +223,9 @@ TEST_CASE("an_opened_capture_follows_the_mouse_and_its_export_is_that_of_viete_d
     CHECK(outcome.code == 0);
     CHECK(test::file_bytes(same) == test::file_bytes(posed));
     CHECK(test::file_bytes(posed) != test::file_bytes(folder / name));
+    const auto cache = test::run("animate " + test::quoted(folder / "s.viete") + " --force -o " +
+                                 test::quoted(folder / "a.pc2"));
+    CHECK(test::mentions(cache, "left out of the point cache: sizes, rotations"));
   }
 }
 
@@ -316,4 +319,17 @@ TEST_CASE("a_probe_without_a_cage_turns_splats_in_the_view_and_in_the_export") {
     turned += rotations[v] != ball.splats->rotations[v] ? 1 : 0;
   CHECK(turned > rotations.size() / 100);
   CHECK(turned < rotations.size());
+}
+
+TEST_CASE("timings_of_all_methods_contain_the_splats") {
+  auto options = test::small_options();
+  options.probe = true;
+  Scene scene(capture_of_ball(3), options);
+  auto& w = scene.d.workspace();
+  w.view.options.panels = true;
+  for (mesh::Point& p : w.document.changed_pose().positions) p[1] *= 1.3;
+  const auto& times = w.frame.method_times;
+  REQUIRE(scene.d.until([&] { return times.measured; }));
+  for (const std::size_t i : {std::size_t(0), std::size_t(workspace::MethodTimes::fused)})
+    CHECK(times.stages[i][workspace::Stage::splats] > 0);
 }
