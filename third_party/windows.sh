@@ -48,6 +48,8 @@ unpack() {
     openmesh) dpkg-source --skip-patches -x ./*.dsc tree ;;
     *) dpkg-source -x ./*.dsc tree ;;
   esac
+  # Debian's zlib has no win32/Makefile.gcc, but its configure script writes a Makefile for MinGW.
+  [ "$1" != zlib ] || (cd tree && CHOST=$host CC=$host-gcc-posix ./configure --static)
 }
 
 # with_cmake PACKAGE OPTION...: builds and installs a package by its own CMakeLists.txt.
@@ -88,7 +90,7 @@ dependencies() {
   with_cmake doctest -DDOCTEST_WITH_TESTS=OFF
   with_cmake glfw3 -DGLFW_BUILD_DOCS=OFF -DGLFW_BUILD_TESTS=OFF -DGLFW_BUILD_EXAMPLES=OFF
   with_cmake openmesh -DBUILD_APPS=OFF -DOPENMESH_BUILD_UNIT_TESTS=OFF -DOPENMESH_DOCS=OFF
-  with_make zlib z . -f win32/Makefile.gcc PREFIX=$host-
+  with_make zlib z .
   with_make libstb stb stb CFLAGS=-O2 SRCS="stb_image.c stb_image_write.c stb_rect_pack_truetype.c"
   with_make imgui imgui imgui CXXFLAGS="-O2 -I$prefix/include" SRCS="imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp"
   echo "Requires: stb" >>"$prefix/lib/pkgconfig/imgui.pc"
