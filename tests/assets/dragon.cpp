@@ -1,15 +1,16 @@
 // Tests the bundled dragon: its documented properties, and that the program can make it again.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 
 #include "dragon/model.h"
 #include "dragon/splats.h"
 #include "formats/read.h"
 #include "mesh/normals.h"
+#include "mesh/point_tree.h"
 #include "mesh/summary.h"
 #include "support/data.h"
 
@@ -64,17 +65,17 @@ TEST_CASE("splats_of_the_dragon_are_flat_along_its_surface_and_the_same_on_every
   std::vector<mesh::Vec3> normals(surface.positions.size());
   const auto around = mesh::vertex_triangles(normals.size(), surface.triangles);
   mesh::vertex_normals(surface.positions, surface.triangles, around, 0, normals.size(), normals);
+  std::vector<std::uint32_t> vertices(normals.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  const mesh::PointTree tree(surface.positions, vertices);
   std::size_t along = 0, opaque = 0;
   for (std::size_t v = 0; v < splats.size(); ++v) {
     const auto [w, x, y, z] = splats.rotations[v];
     const double size = w * w + x * x + y * y + z * z;
     const mesh::Vec3 thin{2 * (x * z + w * y) / size, 2 * (y * z - w * x) / size,
                           1 - 2 * (x * x + y * y) / size};
-    const auto nearest = std::ranges::min_element(surface.positions, {}, [&](const mesh::Point& p) {
-      return mesh::norm(p - capture.surface.positions[v]);
-    });
-    const auto vertex = static_cast<std::size_t>(nearest - surface.positions.begin());
-    CHECK(mesh::norm(*nearest - capture.surface.positions[v]) < 0.03);
+    const std::uint32_t vertex = tree.nearest(capture.surface.positions[v]);
+    CHECK(mesh::norm(surface.positions[vertex] - capture.surface.positions[v]) < 0.03);
     along += std::abs(mesh::dot(thin, normals[vertex])) > 0.8 ? 1 : 0;
     opaque += splats.opacities[v] > 2 ? 1 : 0;
     CHECK(splats.log_scales[v][2] < splats.log_scales[v][1] - 1);
