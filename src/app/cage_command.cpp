@@ -13,8 +13,8 @@
 #include "cages/capture.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
+#include "foreign/read.h"
 #include "formats/format_table.h"
-#include "formats/read.h"
 #include "formats/write.h"
 
 namespace viete::app {
@@ -79,7 +79,7 @@ int make_cage(const CageOptions& options) {
   FilesInUse read;
   read.add(options.model, document::the_model);
   check_output(options.output.file, Content::surface, read, options.output.force);
-  const formats::ReadResult model = formats::read(options.model);
+  const formats::ReadResult model = foreign::read(options.model);
   files::add_surface(read, options.model, model.original.get(), model.attributes.get(), document::the_model);
   check_output(options.output.file, Content::surface, read, options.output.force);
   print_notes(model.warnings);

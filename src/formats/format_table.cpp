@@ -147,4 +147,9 @@ bool is_a(bool (*is)(const Format&), const std::filesystem::path& file) {
   return found && is(*found);
 }
 
+bool describes(bool (*is)(const Format&), std::string_view description) {
+  const Format* found = format_of_description(description);
+  return found && is(*found);
+}
+
 }  // namespace viete::formats

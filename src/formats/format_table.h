@@ -93,5 +93,7 @@ constexpr bool is_sequence(const Format& f) {
 
 /// Returns is(format) for the format of the file's extension, or false if the extension is unknown.
 bool is_a(bool (*is)(const Format&), const std::filesystem::path& file);
+/// Returns is(format) for a ReadResult::format, or false if the format is unknown.
+bool describes(bool (*is)(const Format&), std::string_view description);
 
 }  // namespace viete::formats

@@ -1,0 +1,21 @@
+// The formats that the program viete-import reads.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace viete::foreign {
+
+struct Kind {
+  std::string_view extension;  ///< lower case, without the dot
+  std::string_view name;       ///< for messages; ReadResult::format
+};
+
+/// The kinds, common ones first.
+std::span<const Kind> all_kinds();
+
+/// Returns the kind of a file by its extension, or null if the format is not foreign.
+const Kind* kind_of(const std::filesystem::path& file);
+
+}  // namespace viete::foreign
