@@ -401,28 +401,30 @@ private:
   std::vector<std::uint32_t> of_mesh_;  // for each vertex of the current mesh, a vertex of the scene
 };
 
-// Assimp only reports the axes and the unit of an FBX file. Returns the map to metres with y up. Appends to
-// `note` what it does.
-Matrix to_metres_with_y_up(const aiScene& from, std::string& note) {
-  Matrix map;
-  int axes[3] = {0, 1, 2}, signs[3] = {1, 1, 1};  // the axes to the right, up and to the front
-  float centimetres = 100;
-  const auto& data = from.mMetaData;
-  if (!data || !data->Get("UnitScaleFactor", centimetres)) return map;
-  constexpr const char* names[3] = {"CoordAxis", "UpAxis", "FrontAxis"};
+// Assimp only reports the axes and the unit of an FBX file, and ignores that Blender's z axis is up. Returns
+// the map to metres with y up. Sets `note` if this changes the model.
+Matrix to_metres_with_y_up(const aiScene& from, const std::string& extension, std::string& note) {
+  int axes[3] = {0, 1, 2}, signs[3] = {1, 1, 1};              // the axes to the right, up and to the front
   bool known = from.mRootNode->mTransformation.IsIdentity();  // later versions of Assimp turn the root
-  for (int row = 0; row < 3; ++row)
-    known = known && data->Get(names[row], axes[row]) && axes[row] >= 0 && axes[row] < 3 &&
-            data->Get(std::string(names[row]) + "Sign", signs[row]);
-  Matrix turn(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1);
+  float centimetres = 100;
+  if (extension == "blend") {
+    axes[1] = 2;
+    axes[2] = 1;
+    signs[2] = -1;
+  } else if (from.mMetaData && from.mMetaData->Get("UnitScaleFactor", centimetres)) {
+    constexpr const char* names[3] = {"CoordAxis", "UpAxis", "FrontAxis"};
+    for (int row = 0; row < 3; ++row)
+      known = known && from.mMetaData->Get(names[row], axes[row]) && axes[row] >= 0 && axes[row] < 3 &&
+              from.mMetaData->Get(std::string(names[row]) + "Sign", signs[row]);
+  }
+  Matrix turn(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1), scale;
   for (int row = 0; known && row < 3; ++row) turn[row][axes[row]] = signs[row];
-  if (turn.Determinant() == 1) map = turn;
-  if (map != Matrix()) note = "turned so that y is up";
-  if (!(centimetres > 0) || !std::isfinite(centimetres) || centimetres == 100) return map;
-  Matrix scale;
-  note += base::formatted("%sconverted from units of %g cm to metres", note.empty() ? "" : ", ",
-                          static_cast<double>(centimetres));
-  return Matrix::Scaling(Vector(0.01 * static_cast<double>(centimetres)), scale) * map;
+  if (turn.Determinant() != 1) turn = Matrix();
+  if (turn != Matrix()) note = "turned so that y is up";
+  const auto unit = static_cast<double>(centimetres);
+  if (!(unit > 0) || !std::isfinite(unit) || unit == 100) return turn;
+  note += base::formatted("%sconverted from units of %g cm to metres", note.empty() ? "" : ", ", unit);
+  return Matrix::Scaling(Vector(0.01 * unit), scale) * turn;
 }
 
 }  // namespace
@@ -440,7 +442,7 @@ Scene read_with_assimp(const fs::path& file, const std::function<void(double)>& 
   if (!from || !from->mRootNode) throw std::runtime_error(importer.GetErrorString());
   SceneReader reader(*from, file, *files);
   std::string note;
-  reader.add(*from->mRootNode, to_metres_with_y_up(*from, note));
+  reader.add(*from->mRootNode, to_metres_with_y_up(*from, extension, note));
   if (!note.empty()) reader.note(std::move(note));
   return reader.finish();
 }

@@ -29,7 +29,7 @@ viete::foreign::Scene scene_of(const std::string& file) {
   } catch (const std::bad_alloc&) {
     scene.failure = "it needs more memory than this computer has";
   } catch (const std::exception& error) {
-    scene.failure = error.what();
+    scene.failure = *error.what() ? error.what() : "Assimp gives no reason";
   }
   return scene;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "formats/format_table.h"
 #include "formats/source.h"
 
 namespace viete::foreign {
@@ -20,6 +21,14 @@ std::span<const Kind> all_kinds() {
       {"q3o", "Quick3D"},   {"q3s", "Quick3D"},   {"sib", "Silo"},      {"smd", "SMD"},
       {"ter", "Terragen"},  {"xgl", "XGL"},       {"zgl", "XGL"}};
   return kinds;
+}
+
+std::string model_formats() {
+  return formats::format_names(formats::holds_surface, ", ") + ", FBX, Collada and others";
+}
+
+std::string a_mesh() {
+  return "Mesh (" + model_formats() + ")";
 }
 
 const Kind* kind_of(const std::filesystem::path& file) {

@@ -72,8 +72,6 @@ const Format* format_of_description(std::string_view description);
 std::string format_names(bool (*is)(const Format&), std::string_view last = " or ");
 /// Returns the extensions of the formats that satisfy `is`: ".obj, .ply or .off".
 std::string format_extensions(bool (*is)(const Format&), std::string_view last = " or ");
-/// Returns the text for a mesh argument in the command-line help: "Mesh (OBJ, PLY, OFF, STL, glTF)".
-std::string a_mesh();
 
 constexpr bool holds_surface(const Format& f) {
   return f.read != nullptr;

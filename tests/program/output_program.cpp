@@ -108,6 +108,19 @@ TEST_CASE("outputs_are_checked_before_the_work") {
     files.refused(line, 1, reason);
 }
 
+TEST_CASE("a_foreign_file_is_caged_deformed_and_written_in_another_format") {
+  const WorkFolder files;
+  fs::copy_file(source_dir() / "tests/foreign/smile.fbx", files / "smile.fbx");
+  if (!fs::exists(build_dir() / "viete-import"))
+    return (void)files.refused("info smile.fbx", 1, "FBX files are read by viete-import");
+  files.done("cage smile.fbx --kind box -o box.obj");
+  const Outcome deformed = files.done("deform smile.fbx box.obj --pose box.obj -o out.obj");
+  CHECK(mentions(deformed, "left out of the OBJ file: groups"));
+  CHECK(file_bytes(files / "out.obj").find("f 1 2 3 4") != std::string::npos);
+  files.refused("deform smile.fbx box.obj --pose box.obj -o out.fbx", 1, "unknown extension .fbx; use .obj");
+  CHECK(mentions(run("info " + quoted(files / "smile.fbx"), "VIETE_IMPORT=/bin/false"), "it crashed"));
+}
+
 TEST_CASE("extensions_are_taken_in_capitals_too") {
   const SmallFiles files;
   files.done("render model.obj --size 64x64 -o A.PNG");
