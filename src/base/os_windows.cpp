@@ -161,23 +161,6 @@ void make_binary(std::FILE* file) {
   _setmode(_fileno(file), _O_BINARY);
 }
 
-std::FILE* reserve_output() {
-  std::FILE* const file = _fdopen(_dup(_fileno(stdout)), "wb");
-  _dup2(_fileno(stderr), _fileno(stdout));
-  return file;
-}
-
-void limit_process(double bytes, unsigned seconds) {
-  static const Handle job(CreateJobObjectW(nullptr, nullptr));
-  JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
-  limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_PROCESS_MEMORY | JOB_OBJECT_LIMIT_PROCESS_TIME |
-                                            JOB_OBJECT_LIMIT_DIE_ON_UNHANDLED_EXCEPTION;
-  limits.BasicLimitInformation.PerProcessUserTimeLimit.QuadPart = 10'000'000LL * seconds;
-  limits.ProcessMemoryLimit = static_cast<SIZE_T>(bytes);
-  SetInformationJobObject(job.get(), JobObjectExtendedLimitInformation, &limits, sizeof limits);
-  AssignProcessToJobObject(job.get(), GetCurrentProcess());
-}
-
 // ---------------------------------------------------------------- machine
 
 std::string system_name() {

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "foreign/kinds.h"
 #include "foreign/read.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
@@ -174,7 +175,8 @@ public:
     if (base::NumberedName::is_pattern(file)) return add_sequence(base::NumberedName(file));
     all_.files.push_back(file);
     if (formats::point_cache_format(file)) return add_cache(file);
-    if (formats::is_a(formats::holds_morphs, file) && add_morphs(file)) return;
+    const bool may_have_morphs = formats::is_a(formats::holds_morphs, file) || foreign::kind_of(file);
+    if (may_have_morphs && add_morphs(file)) return;
     add_model(file);
   }
 

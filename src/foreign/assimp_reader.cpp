@@ -95,10 +95,11 @@ bool is_finite(const aiVector3t<T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The matrix of cofactors maps normals, even if the matrix is a mirror or singular.
+// The matrix of cofactors maps normals, even if the matrix is singular. If it mirrors, faces are turned over,
+// and normals stay on the outside.
 Vector mapped_normal(const Matrix& m, const Vector& n) {
   const Vector x(m.a1, m.b1, m.c1), y(m.a2, m.b2, m.c2), z(m.a3, m.b3, m.c3);
-  return (y ^ z) * n.x + (z ^ x) * n.y + (x ^ y) * n.z;
+  return ((y ^ z) * n.x + (z ^ x) * n.y + (x ^ y) * n.z) * (m.Determinant() < 0 ? -1.0 : 1.0);
 }
 
 float in_range(float x) {
