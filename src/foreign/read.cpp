@@ -1,6 +1,5 @@
 #include "foreign/read.h"
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -73,13 +72,12 @@ std::string importer() {
   return fs::exists(beside, ignored) ? beside.string() : name;
 }
 
+base::Error unreadable(const formats::Source& source, const Kind& kind, const std::string& reason) {
+  return {source.name, "Assimp could not read this " + std::string(kind.name) + " file: " + reason, convert};
+}
+
 // Runs viete-import. Returns its output.
-std::string output_of_importer(const formats::Source& source, const Kind& kind, base::Progress& progress,
-                               double most_seconds) {
-  const auto refuse = [&](const std::string& reason) {
-    throw base::Error(source.name,
-                      "Assimp could not read this " + std::string(kind.name) + " file: " + reason, convert);
-  };
+std::string output_of_importer(const formats::Source& source, const Kind& kind, double most_seconds) {
   std::optional<base::ChildProgram> child;
   try {
     constexpr bool keeps_output = true;
@@ -90,23 +88,22 @@ std::string output_of_importer(const formats::Source& source, const Kind& kind, 
                       std::string(kind.name) + " files are read by viete-import: " + error.problem(),
                       "install Assimp (libassimp-dev) and build Viete again, or " + std::string(convert));
   }
-  (void)child->follow(progress, most_seconds);
-  if (child->running()) refuse(base::formatted("it took longer than %g seconds", most_seconds));
+  base::Progress own;
+  const base::ProgressPart part(source.progress, 0, 0.8);
+  child->follow(source.progress ? *source.progress : own, most_seconds);
+  if (child->running())
+    throw unreadable(source, kind, base::formatted("it took longer than %g seconds", most_seconds));
   try {
     child->finish();
   } catch (const base::Error&) {
-    refuse("it crashed, or used too much memory or time");
+    throw unreadable(source, kind, "it crashed, or used too much memory or time");
   }
   return child->output();
 }
 
-Scene scene_of_file(const formats::Source& source, const Kind& kind, base::Progress* progress,
-                    double most_seconds) {
-  base::Progress own;
-  const base::ProgressPart part(progress, 0, 0.8);
-  const std::string output = output_of_importer(source, kind, progress ? *progress : own, most_seconds);
+Scene scene_of_file(const formats::Source& source, const Kind& kind, double most_seconds) {
   try {
-    return scene_of(output);
+    return scene_of(output_of_importer(source, kind, most_seconds));
   } catch (const DamagedScene& damage) {
     throw base::Error(source.name, "viete-import sent no valid scene: " + std::string(damage.what()),
                       "install viete and viete-import of the same version, or " + std::string(convert));
@@ -114,11 +111,7 @@ Scene scene_of_file(const formats::Source& source, const Kind& kind, base::Progr
 }
 
 formats::ReadResult result_of(const formats::Source& source, const Kind& kind, Scene scene) {
-  if (!scene.failure.empty())
-    throw base::Error(source.name,
-                      "Assimp could not read this " + std::string(kind.name) +
-                          " file: " + base::printable(scene.failure, 600),
-                      convert);
+  if (!scene.failure.empty()) throw unreadable(source, kind, base::printable(scene.failure, 600));
   formats::SurfaceBuilder builder(source);
   mesh::Surface& surface = builder.surface();
   surface.positions = scene.positions;
@@ -140,7 +133,7 @@ formats::ReadResult read(const fs::path& path, base::Progress* progress, bool pl
   (void)formats::regular_file_size(path);  // throws the usual errors
   formats::Source source{path.string(), std::string(kind->extension), "", progress};
   source.folder = fs::absolute(path).parent_path();
-  return result_of(source, *kind, scene_of_file(source, *kind, progress, most_seconds));
+  return result_of(source, *kind, scene_of_file(source, *kind, most_seconds));
 }
 
 }  // namespace viete::foreign
