@@ -51,8 +51,8 @@ void make_binary(std::FILE* file);
 /// Returns the standard output for bytes of this program; closes at the end. From now on, what libraries
 /// print to the standard output goes to the standard error. Call once, before the first output.
 std::FILE* reserve_output();
-/// Ends this process if it uses more address space (bytes) or processor time (seconds). Its files cannot be
-/// larger than its address space, and a crash leaves no file with its memory.
+/// Limits this process: beyond `bytes` of address space, allocations fail; after `seconds` of processor time,
+/// the process ends. Its files cannot be larger than `bytes`, and a crash does not write a core file.
 void limit_process(double bytes, unsigned seconds);
 
 // ---------------------------------------------------------------- machine
