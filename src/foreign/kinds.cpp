@@ -24,7 +24,7 @@ std::span<const Kind> all_kinds() {
 }
 
 std::string model_formats() {
-  return formats::format_names(formats::holds_surface, ", ") + ", FBX, Collada and others";
+  return formats::format_names(formats::holds_surface, ", ") + ", FBX and others";
 }
 
 std::string a_mesh() {

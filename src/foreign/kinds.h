@@ -16,7 +16,7 @@ struct Kind {
 /// The kinds, common ones first.
 std::span<const Kind> all_kinds();
 
-/// Returns the formats of models for help texts: "OBJ, PLY, OFF, STL, glTF, SPZ, FBX, Collada and others".
+/// Returns the formats of models for help texts: "OBJ, PLY, OFF, STL, glTF, SPZ, FBX and others".
 std::string model_formats();
 /// Returns the text for a mesh argument in the command-line help: "Mesh (OBJ, ...)".
 std::string a_mesh();
