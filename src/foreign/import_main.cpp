@@ -48,9 +48,7 @@ public:
 
   bool is_allowed(const fs::path& file) const {
     std::error_code code;
-    const fs::path real = fs::weakly_canonical(file, code);
-    if (code || !fs::is_regular_file(real, code)) return false;
-    return real == file_ || std::ranges::mismatch(folder_, real).in1 == folder_.end();
+    return formats::is_file_below(folder_, file) || fs::weakly_canonical(file, code) == file_;
   }
 
 private:

@@ -103,7 +103,11 @@ std::string output_of_importer(const formats::Source& source, const Kind& kind, 
 
 Scene scene_of_file(const formats::Source& source, const Kind& kind, double most_seconds) {
   try {
-    return scene_of(output_of_importer(source, kind, most_seconds));
+    Scene scene = scene_of(output_of_importer(source, kind, most_seconds));
+    for (const formats::ImageFile& image : scene.attributes.images)
+      if (!image.path.empty() && !formats::is_file_below(formats::folder_of(source.name), image.path))
+        throw DamagedScene("an image is not in the folder of the file");
+    return scene;
   } catch (const DamagedScene& damage) {
     throw base::Error(source.name, "viete-import sent no valid scene: " + std::string(damage.what()),
                       "install viete and viete-import of the same version, or " + std::string(convert));

@@ -36,14 +36,19 @@ struct Import : test::TemporaryFolder {
 
 TEST_CASE("a_scene_becomes_a_surface_with_attributes_notes_and_morph_targets") {
   const Import import("cat scene");
-  test::put_file(import / "scene", bytes_of(test::full_scene()));
+  foreign::Scene scene = test::full_scene();
+  test::put_file(import / "scene", bytes_of(scene));
+  CHECK(mentions(import.problem(), "an image is not in the folder of the file"));
+  scene.attributes.images[0].path = import / "a.png";
+  test::put_file(import / "a.png", "an image");
+  test::put_file(import / "scene", bytes_of(scene));
   const formats::ReadResult read = import.read();
   CHECK(read.format == "FBX");
   CHECK(read.surface.triangles.size() == 3);
   CHECK(read.attributes->materials[1].name == "wood");
   CHECK(read.warnings == std::vector{(import / "a.fbx").string() + ": a note"});
   CHECK(read.original->beyond_attributes() == std::vector<std::string>{"skins"});
-  CHECK(read.original->files_beside() == std::vector<std::filesystem::path>{"/folder/a.png"});
+  CHECK(read.original->files_beside() == std::vector{import / "a.png"});
   const auto morphs = read.original->morphs();
   CHECK(morphs->targets() == std::vector<std::string>{"smile"});
   CHECK(morphs->at_target(0)[4][2] == 3);
