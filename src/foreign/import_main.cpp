@@ -42,8 +42,8 @@ public:
       : file_(fs::weakly_canonical(file)), folder_(formats::folder_of(file)) {}
 
   bool Exists(const char* file) const override { return is_allowed(file); }
-  Assimp::IOStream* Open(const char* file, const char* mode) override {
-    return *mode == 'r' && is_allowed(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+  Assimp::IOStream* Open(const char* file, const char*) override {  // never for writing
+    return is_allowed(file) ? DefaultIOSystem::Open(file, "rb") : nullptr;
   }
 
   bool is_allowed(const fs::path& file) const {
