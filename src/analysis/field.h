@@ -67,6 +67,7 @@ struct FieldEntry {
   base::Choice choice;
   std::string_view unit{};  ///< displayed after the title, for example "in diagonals"
   Source source = Source::nothing;
+  bool needs_faces = false;  ///< true if the values are those of the surface around each vertex
   Scale scale = Scale::plain;
   bool symmetric = false;       ///< true if 0 is the value at rest and has the middle colour
   double least_range = 1;       ///< smallest range of the colours

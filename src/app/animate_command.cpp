@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "app/child_process.h"
+#include "app/film.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "base/atomic_file.h"
@@ -30,6 +32,7 @@ struct AnimateOptions {
   double tolerance = 1e-4;
   bool no_normals = false, linear = false, turntable = false;
   std::filesystem::path keys;
+  FilmQuality quality = FilmQuality::medium;
   PictureOptions picture;
 };
 
@@ -64,7 +67,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
 void check_output(const AnimateOptions& options, FilesInUse files, const files::FrameSteps& frames = {}) {
   const std::string extension = formats::extension_of(options.output.file);
   const bool numbered = base::NumberedName::is_pattern(options.output.file);
-  if (!numbered && !files::is_animation_format(extension)) return;
+  if (!numbered && !files::is_animation_format(extension) && !files::is_film(options.output.file)) return;
   check_output(options.output.file, frames, files, force_of(options.output.force));
 }
 
@@ -121,23 +124,58 @@ PictureRun picture_run(const AnimateOptions& options, const document::Timeline& 
   return run;
 }
 
-int write_pictures(const AnimateOptions& options) {
-  if (!base::NumberedName::is_pattern(options.output.file))
-    throw base::Error(options.output.file.string(), "a single picture cannot show an animation",
-                      "write numbered pictures: frame_####.png");
+files::Opened opened_for_pictures(const AnimateOptions& options) {
   files::Opened opened = opened_for(options, files::check_drawable);
   if (opened.document->timeline().empty() && !options.turntable)
     throw base::Error(options.inputs.model.string(), "the timeline has no keys, so nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
-  base::check_replaceable(base::NumberedName(options.output.file).file(1));
+  return opened;
+}
+
+// Draws the pictures of `run`. Returns notes.
+std::vector<std::string> draw(const AnimateOptions& options, files::Opened&& opened, const PictureRun& run,
+                              base::Progress& progress) {
   PictureOptions picture = options.picture;
   picture.viewer.probe = picture.panels;
+  const auto offscreen = viewer_of(picture, std::move(opened));
+  std::vector<std::string> notes = write_pictures(*offscreen, run, progress);
+  print_messages(offscreen->viewer().workspace());
+  return notes;
+}
+
+int write_pictures(const AnimateOptions& options) {
+  if (!base::NumberedName::is_pattern(options.output.file))
+    throw base::Error(options.output.file.string(), "a single picture cannot show an animation",
+                      "write numbered pictures: frame_####.png");
+  files::Opened opened = opened_for_pictures(options);
+  base::check_replaceable(base::NumberedName(options.output.file).file(1));
   const PictureRun run = picture_run(options, opened.document->timeline());
   auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.file.filename().string());
-  const auto offscreen = viewer_of(picture, std::move(opened));
-  const std::vector<std::string> notes = write_pictures(*offscreen, run, work->progress());
+  std::vector<std::string> notes = draw(options, std::move(opened), run, work->progress());
+  work.reset();                                                   // removes the progress line
+  const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // ffmpeg does not support these numbers
+  if (!has_gaps) notes.push_back(ffmpeg_command(run));
+  print_notes(notes);
+  print_summary(options.output, base::counted(run.frames.size(), "picture"));
+  return exit_ok;
+}
+
+int write_film(const AnimateOptions& options) {
+  const std::filesystem::path& film = options.output.file;
+  check_film_maker(film);
+  files::Opened opened = opened_for_pictures(options);
+  const ScratchFolder scratch;
+  PictureRun run = picture_run(options, opened.document->timeline());
+  run.file = scratch.path() / "frame_######.png";
+  auto work = std::make_unique<TerminalProgress>("Making " + film.filename().string());
+  work->progress().section(0, 0.8);
+  const std::vector<std::string> notes = draw(options, std::move(opened), run, work->progress());
+  for (std::size_t i = 0; i < run.frames.size(); ++i)
+    std::filesystem::rename(base::NumberedName(run.file).file(run.frames[i]),
+                            scratch.path() / base::formatted("%06zu.png", i + 1));
+  work->progress().section(0.8, 1);
+  make_film(film, scratch.path(), run.frames.size(), run.rate / run.step, options.quality, work->progress());
   work.reset();  // removes the progress line
-  print_messages(offscreen->viewer().workspace());
   print_notes(notes);
   print_summary(options.output, base::counted(run.frames.size(), "picture"));
   return exit_ok;
@@ -147,6 +185,7 @@ int animate(const AnimateOptions& options) {
   FilesInUse named = files_read(options.inputs);
   named.add(options.keys, document::the_keys);
   check_output(options, std::move(named));
+  if (files::is_film(options.output.file)) return write_film(options);
   return formats::extension_of(options.output.file) == "png" ? write_pictures(options)
                                                              : write_models(options);
 }
@@ -159,7 +198,9 @@ void add_animate_command(CLI::App& app, Action& action) {
   add_input_options(*command, o->inputs);
   add_output_options(
       *command, o->output,
-      "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)");
+      "File to write: .pc2, .mdd, .glb, .gltf, a film (.mp4, .webm, .gif), or numbered meshes or pictures "
+      "(frame_####.obj, .png)");
+  add_split_option(*command, o->output);
   add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
   auto* step = command->add_option("--step", o->step, "Export every Nth frame");
@@ -172,10 +213,12 @@ void add_animate_command(CLI::App& app, Action& action) {
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals, "glTF: omit normals, which halves the file size");
   command->add_flag("--linear", o->linear, "Interpolate vertex positions linearly");
+  add_choice<FilmQuality>(*command, "--quality", "Films: quality, low, medium or high", o->quality)
+      ->default_str("medium");
   command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
   add_picture_options(*command, o->picture);
   add_examples(*command,
-               {"animate scene.viete -o motion.glb", "animate scene.viete --turntable -o frame_####.png"});
+               {"animate scene.viete -o motion.glb", "animate scene.viete --turntable -o turn.mp4"});
   command->callback([o, &action] {
     check_usage(o->inputs);
     if (!o->inputs.session() && o->keys.empty() && !o->turntable) throw CLI::RequiredError("--keys");

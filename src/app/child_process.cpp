@@ -1,5 +1,6 @@
 #include "app/child_process.h"
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/os.h"
 #include "base/process.h"
@@ -7,6 +8,21 @@
 namespace viete::app {
 
 namespace fs = std::filesystem;
+
+ScratchFolder::ScratchFolder()
+    : path_(base::unused_name(fs::temp_directory_path() / ("viete-" + base::process_name()))) {
+  std::error_code code;
+  const bool created = fs::create_directory(path_, code);
+  if (created) fs::permissions(path_, fs::perms::owner_all, code);
+  if (!created || code)
+    throw base::Error(path_.string(), "no folder can be created there",
+                      "set TMPDIR to a writable folder with free space");
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
 
 std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress) {
   base::ChildProgram child(words, "start this program again", {"VIETE_PROGRESS=1"});

@@ -9,6 +9,22 @@
 
 namespace viete::app {
 
+/// A temporary folder for files that are passed to child processes. The destructor deletes the folder with
+/// its contents.
+class ScratchFolder {
+public:
+  /// Throws base::Error if the folder cannot be created.
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
 /// Runs the program words[0] with the arguments words[1], words[2], ... Returns the lines of its output,
 /// except progress lines. If the program fails, throws base::Error with the program's message. If `progress`
 /// is cancelled, stops the program and throws base::Cancelled. Thread-safe.

@@ -168,6 +168,7 @@ void add_deform_command(CLI::App& app, Action& action) {
   auto o = std::make_shared<DeformOptions>();
   add_input_options(*command, o->inputs);
   auto* output = add_output_options(*command, o->output)->required(false);
+  add_split_option(*command, o->output);
   add_file_option(*command, "--mask", o->mask,
                   "File with one number per vertex, from 0 (stays at rest) to 1");
   auto* stream_option = command->add_flag("--stream", o->stream,

@@ -178,18 +178,18 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
   const sym3::Method method = s.method;
   if (analysis::entry(field).source == Source::matrices) {
     const pose::Rows rows = s.model.deformer()->state().rows();
-    return view.job.start(
-        [=, bound = s.model.bound(), mask = s.model.deformer()->mask(), form = rows.form,
-         origin = rows.origin,
-         values = std::vector(rows.values.begin(), rows.values.end())](base::Progress& progress) {
-          const weights::Weigher weigher(*bound.cage, bound.binding->weighting);
-          const auto matrices = deform::sample_stretches(
-              weigher, *bound.binding, mask, {form, values, origin}, bound.binding->vertices, &progress);
-          analysis::FieldInput input = input_of(*strain, method);
-          input.matrices = matrices;
-          input.progress = &progress;
-          return analysis::measure(field, input);
-        });
+    return view.job.start([=, bound = s.model.bound(), mask = s.model.deformer()->mask(), form = rows.form,
+                           origin = rows.origin,
+                           values = std::vector(rows.values.begin(), rows.values.end())](
+                              base::Progress& progress) {
+      const weights::Weigher weigher(*bound.cage, bound.binding->weighting);
+      const auto matrices = deform::sample_stretches(weigher, *bound.binding, mask, {form, values, origin},
+                                                     bound.binding->model_vertices(), &progress);
+      analysis::FieldInput input = input_of(*strain, method);
+      input.matrices = matrices;
+      input.progress = &progress;
+      return analysis::measure(field, input);
+    });
   }
   const FrameInput frame = s.model.input(s.document, method);
   if (field == Field::influence) {

@@ -60,31 +60,6 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
   return loaded;
 }
 
-// A temporary folder. The destructor deletes the folder with its contents.
-class ScratchFolder {
-public:
-  ScratchFolder() {
-    path_ = base::unused_name(fs::temp_directory_path() / ("viete-" + base::process_name()));
-    std::error_code code;
-    const bool created = fs::create_directory(path_, code);
-    if (created) fs::permissions(path_, fs::perms::owner_all, code);
-    if (!created || code)
-      throw base::Error(path_.string(), "no folder can be created there",
-                        "set TMPDIR to a writable folder with free space");
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-};
-
 fs::path recovery_folder(const fs::path& state) {
   return state.empty() ? state : state / "recovery";
 }
@@ -134,7 +109,9 @@ void Exporter::add(files::AnimationExport what, std::vector<std::string> shown_n
 
 void Exporter::add(PictureExport what) {
   const std::filesystem::path file = what.file;
-  add({file, "pictures written so far are complete", [what = std::move(what)](base::Progress& progress) {
+  const char* const stopped =
+      files::is_film(file) ? "no file was changed" : "pictures written so far are complete";
+  add({file, stopped, [what = std::move(what)](base::Progress& progress) {
          return Written{"", write_pictures_in_child(what, progress)};
        }});
 }
@@ -314,7 +291,8 @@ void FileDesk::start_animation_export(const workspace::Workspace& w, const fs::p
   what.force = confirmed ? files::Force::given : files::Force::none;
   if (base::NumberedName::is_pattern(file))
     files::check_frames_are_new(base::NumberedName(file), what.frames(), what.force);
-  if (formats::extension_of(file) == "png") return exporter_.add(picture_export_of(w, file));
+  if (formats::extension_of(file) == "png" || files::is_film(file))
+    return exporter_.add(picture_export_of(w, file));
   what.model.up = w.view.camera.pose().up;
   what.tolerance = w.files.browser.morphs.tolerance;
   what.normals = w.files.browser.morphs.normals;

@@ -37,21 +37,17 @@ std::string box_text(const mesh::Bounds& box) {
 }
 
 void print(const mesh::Splats& splats) {
-  const auto faint =
-      std::ranges::count_if(splats.opacities, [](float x) { return !(x >= std::log(0.05 / 0.95)); });
+  std::size_t faint = 0;
+  for (std::size_t i = 0; i < splats.size(); ++i) faint += splats.is_faint(i) ? 1 : 0;
   std::printf("  splats      %zu, harmonics of degree %d\n", splats.size(), splats.degree);
   std::printf("  opacity     below 0.05 in %.3g %% of the splats\n",
               100 * static_cast<double>(faint) / static_cast<double>(splats.size()));
   std::printf("  up          -y in most captures\n");
 }
 
-void print(const document::OpenedSurface& surface) {
+void print_faces(const document::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
-  std::printf("%s\n", surface.path.string().c_str());
-  std::printf("  format      %s\n", surface.format.c_str());
-  std::printf("  vertices    %zu\n  polygons    %zu\n  triangles   %zu\n", f.vertices, f.polygons,
-              f.triangles);
-  std::printf("  parts       %zu\n", f.parts);
+  std::printf("  polygons    %zu\n  triangles   %zu\n  parts       %zu\n", f.polygons, f.triangles, f.parts);
   std::printf("  surface     %s, %s, %s\n", f.closed() ? "closed" : "open",
               f.manifold() ? "manifold" : "not manifold",
               f.oriented() ? "consistently oriented" : "not consistently oriented");
@@ -59,10 +55,16 @@ void print(const document::OpenedSurface& surface) {
     std::printf("  topology    genus %zu, %s\n", topology->genus,
                 topology->holes == 0 ? "no holes" : base::counted(topology->holes, "hole").c_str());
   }
-  std::printf("  box         %s\n", box_text(surface.bounds).c_str());
   std::printf("  area        %g\n", f.area);
   const double rounding = 1e-14 * std::pow(surface.bounds.diagonal(), 3);
   if (f.closed()) std::printf("  volume      %g\n", std::abs(f.volume) < rounding ? 0 : f.volume);
+}
+
+void print(const document::OpenedSurface& surface) {
+  std::printf("%s\n", surface.path.string().c_str());
+  std::printf("  format      %s\n  vertices    %zu\n", surface.format.c_str(), surface.summary.vertices);
+  if (surface.summary.polygons > 0) print_faces(surface);
+  std::printf("  box         %s\n", box_text(surface.bounds).c_str());
   if (surface.splats) print(*surface.splats);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
   const auto document = document::Document(surface);

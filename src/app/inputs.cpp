@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "foreign/kinds.h"
-#include "mesh/triangle.h"
 
 namespace viete::app {
 
@@ -40,15 +39,6 @@ void check(const Output& output, const FilesInUse& files, const files::FrameStep
   check_output(output.file, *frames, files, force_of(output.force));
 }
 
-// Throws base::Error if all triangles have zero area: LogSpace cannot represent such a model.
-void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
-  const auto& p = model.positions;
-  const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
-  if (std::ranges::none_of(model.triangles, has_area))
-    throw base::Error(file.string(), "all faces of this model have zero area",
-                      "choose another model as the rest shape");
-}
-
 }  // namespace
 
 void add_input_options(CLI::App& app, Inputs& inputs) {
@@ -62,6 +52,11 @@ CLI::Option* add_output_options(CLI::App& app, Output& output, const std::string
   if (output.content != Content::picture) add_digits_option(app, output.digits);
   add_force_option(app, output.force);
   return file;
+}
+
+void add_split_option(CLI::App& app, Output& output) {
+  app.add_flag("--split", output.split,
+               "Captures: split splats whose longest axis grows by more than 2.5 times");
 }
 
 void check_usage(const Inputs& inputs) {
@@ -150,7 +145,7 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
     files::check_drawable(all.model);
     files::check_deformable(all.model);
     const mesh::Surface& surface = *all.model.document->model().surface;
-    check_has_area(model, surface);
+    files::check_shape_rest(model.string(), surface);
     files::check_shape_count(model.string(), shapes.size(), surface);
     for (const auto& file : shapes) {
       files::ImportedShapes read = files::read_shapes({&file, 1}, surface, &work.progress());
@@ -167,6 +162,7 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
 files::Export export_to(const Output& output, const files::Opened& opened) {
   files::Export what = files::export_of(*opened.document, output.file);
   what.digits = output.digits;
+  what.split = output.split;
   if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
   return what;
 }

@@ -23,6 +23,7 @@ struct Output {
   Content content = Content::surface;
   std::filesystem::path file{};
   formats::Digits digits{};
+  bool split = false;  ///< see files::Export::split
   bool force = false;
 
   /// Text of the progress line, for example "Writing out.obj".
@@ -56,6 +57,9 @@ void add_input_options(CLI::App& app, Inputs& inputs);
 CLI::Option* add_output_options(
     CLI::App& app, Output& output,
     const std::string& text = "Mesh file to write; the extension sets the format");
+
+/// Adds --split.
+void add_split_option(CLI::App& app, Output& output);
 
 /// Call after parsing. Throws CLI::ParseError if an input is missing, or if an input cannot be combined with
 /// a session. Throws base::Error if settings cannot be combined.

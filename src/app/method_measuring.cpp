@@ -199,6 +199,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   const Bound& bound = timed.bound;
   deform::FrameDeformer deformer(bound.cage, bound.binding, timed.deformer, pool,
                                  bound.stitches(timed.deformer) ? bound.stitching : nullptr);
+  deformer.set_splats(bound.splats);
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);

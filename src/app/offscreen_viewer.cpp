@@ -105,7 +105,8 @@ void print_missing(const workspace::Workspace& w) {
   if (workspace::shown_field(w) != w.view.options.field)
     print_notes(
         {"the map " + std::string(base::entry_of(w.view.options.field).word) +
-         " is not available: some maps need a cage and a blend in log space, others a cage or probes"});
+         " is not available: some maps need a cage and a blend in log space, others a cage or probes, "
+         "or a model with faces"});
   for (const workspace::SplitView& view : w.view.split.views)
     for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);
@@ -228,10 +229,7 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
     render::write_png(name.file(run.frames[i]), viewer.picture());
   }
   progress.report(1);
-  std::vector<std::string> notes = files::other_files_note(name, run.frames);
-  const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // ffmpeg does not support these numbers
-  if (!has_gaps) notes.push_back(ffmpeg_command(run));
-  return notes;
+  return files::other_files_note(name, run.frames);
 }
 
 }  // namespace viete::app

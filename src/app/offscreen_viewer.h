@@ -66,8 +66,7 @@ struct PictureRun {
 };
 
 /// Writes a picture of the viewer's document for each frame. Each file is written completely or not at all.
-/// Returns notes for the user, one line each. If ffmpeg can read the frame numbers, the last note is
-/// ffmpeg_command(). Throws base::Error. If cancelled, throws base::Cancelled.
+/// Returns notes for the user, one line each. Throws base::Error. If cancelled, throws base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 

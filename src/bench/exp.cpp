@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "bench/ensembles.h"
+#include "sym3/decomposition.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"
@@ -217,6 +218,16 @@ Values eigenvalues_direct(const Matrix& s) {
   return {solver.eigenvalues()[0], solver.eigenvalues()[1], solver.eigenvalues()[2]};
 }
 
+/// Returns a function that computes eigenvectors with Eigen's solver. `compute` chooses its algorithm.
+template <class Compute>
+auto eigenvectors_by(Compute compute) {
+  return [compute](const Matrix& s) {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    compute(solver, sym3::to_eigen(s));
+    return solver.eigenvectors();
+  };
+}
+
 }  // namespace
 
 EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
@@ -224,6 +235,13 @@ EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
   std::vector<Values> out(count);
   std::vector<Matrix> copied(count);
   const std::size_t size = std::min(piece, count), pieces = count / size;
+  std::vector<Eigen::Matrix3d> vectors(size);
+  const auto each_vector = [&](auto eigenvectors) {
+    return [&, eigenvectors](std::size_t round) {
+      const std::size_t begin = round % pieces * size;
+      for (std::size_t i = 0; i < size; ++i) vectors[i] = eigenvectors(in[begin + i]);
+    };
+  };
   const auto each = [&](auto eigenvalues) {
     return [&, eigenvalues](std::size_t round) {
       const std::size_t begin = round % pieces * size;
@@ -238,6 +256,15 @@ EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
        [&](std::size_t round) {
          const std::size_t begin = round % pieces * size;
          sym3::eigenvalues(sym3::packed(&in[begin]), {sym3::Layout::packed, out[begin].data()}, size);
+       }},
+      {"QR, vectors", size, each_vector(eigenvectors_by([](auto& e, const auto& a) { e.compute(a); }))},
+      {"Direct, vectors", size,
+       each_vector(eigenvectors_by([](auto& e, const auto& a) { e.computeDirect(a); }))},
+      {"Fast, vectors", size,
+       [&](std::size_t round) {
+         const std::size_t begin = round % pieces * size;
+         sym3::eigh(sym3::packed(&in[begin]), {sym3::Layout::packed, out[begin].data()},
+                    {sym3::Layout::packed, vectors[0].data()}, size);
        }},
       {"copy", size, [&](std::size_t round) {
          const auto begin = static_cast<std::ptrdiff_t>(round % pieces * size);
@@ -258,7 +285,8 @@ nlohmann::json to_json(const EigenBench& bench) {
 Plot plot_of(const EigenBench& bench) {
   Plot plot;
   const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival,
-                          plot_color::ours[0], plot_color::copy};
+                          plot_color::ours[0],   plot_color::reference, plot_color::reference,
+                          plot_color::ours[0],   plot_color::copy};
   for (std::size_t i = 0; i < bench.results.size(); ++i)
     plot.bars.push_back({bench.results[i].name, bench.results[i].ns_per_item, colors[i]});
   return plot;

@@ -108,8 +108,9 @@ struct EigenBench {
   std::vector<BenchResult> results;
 };
 
-/// Measures eigenvalues by QR, Eigen's closed form, Viete's formula and Fast, for the paper's ensemble in
-/// double precision on one thread. Times are medians of processor time. Throws base::Cancelled.
+/// Measures eigenvalues by QR, Eigen's closed form, Viete's formula and Fast, and eigenvectors without the
+/// formula, for the paper's ensemble in double precision on one thread. Times are medians of processor time.
+/// Throws base::Cancelled.
 EigenBench measure_eigen(std::size_t count, base::Progress& progress);
 
 void print(const EigenBench& bench);

@@ -1,4 +1,4 @@
-// viete bench frame, viete bench bind: times of all ways to compute a frame and to bind a model.
+// viete bench frame, bind and splats: times of all ways to compute a frame, and to bind a model.
 #pragma once
 
 #include <cstddef>
@@ -48,5 +48,7 @@ void check_frame(std::span<const FrameTime> times, Bars& bars);
 /// Measure and print tables. Throw base::Error.
 void bench_frame(const ModelOptions& options);
 void bench_bind(const ModelOptions& options);
+/// `options.count`: number of splats, at least 1.
+void bench_splats(const ModelOptions& options);
 
 }  // namespace viete::bench

@@ -117,6 +117,21 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
   });
 }
 
+void add_splats_bench(CLI::App& command, Action& action) {
+  auto bench = add_model_bench(command, 11, "the dragon's cage");
+  bench->count = 1'000'000;
+  whole_in_range(command.add_option("--count", bench->count, "Number of splats"), 1000, 10'000'000)
+      ->default_str(base::with_thousands(bench->count));
+  command.callback([=, &action] {
+    if (!bench->model.empty() && bench->cage.empty()) throw CLI::RequiredError("CAGE");
+    action = [=] {
+      prepare(*bench, true);
+      bench_splats(*bench);
+      return exit_ok;
+    };
+  });
+}
+
 void add_modes_bench(CLI::App& command, Action& action) {
   auto bench = add_model_bench(command, 11, "the dragon's cage");
   auto settings = std::make_shared<ModeSettings>();
@@ -157,8 +172,8 @@ struct MatrixBench {
 constexpr MatrixBench matrix_benches[] = {
     {"exp", "Measure the time of exp by method, layout and size", "Number of matrices", paper_count,
      most_matrices, true, run_exp},
-    {"eigen", "Measure the time of eigenvalues: QR, Viete's formula and Fast", "Number of matrices",
-     paper_count, most_matrices, false, run_eigen},
+    {"eigen", "Measure the time of eigenvalues and eigenvectors", "Number of matrices", paper_count,
+     most_matrices, false, run_eigen},
     {"accuracy", "Measure the error of exp by method, eigenvalue gap, spread and scale",
      "Number of matrices per row", 4096, 1'000'000, true, run_accuracy},
     {"sym3", "Check every guarantee of exp by kernel and layout", "Number of matrices in memory", paper_count,
@@ -193,6 +208,8 @@ void add_bench_command(CLI::App& app, Action& action) {
                   action, {50, 100, 300, 600}, 11, bench_frame);
   add_sized_bench(*command->add_subcommand("bind", "Measure the time and memory of binding a model"), action,
                   {300}, 5, bench_bind);
+  add_splats_bench(*command->add_subcommand("splats", "Measure the time of a frame of Gaussian splats"),
+                   action);
   add_modes_bench(*command->add_subcommand("modes", "Measure exactness, energy and cost of every deformer"),
                   action);
   add_examples(*command, {"bench exp --json exp.json", "bench frame --json frame.json"});

@@ -14,8 +14,7 @@ namespace viete::cages {
 
 namespace {
 
-constexpr float least_opacity = -2.9444390F;  // the logit of 0.05
-constexpr double cell_size = 5;               // relative to the usual distance to the nearest splat
+constexpr double cell_size = 5;  // relative to the usual distance to the nearest splat
 constexpr std::size_t least_neighbours = 3;
 
 using CountedCell = std::array<std::int64_t, 3>;
@@ -62,7 +61,7 @@ CaptureCore core_of(std::shared_ptr<const mesh::Surface> capture, const mesh::Sp
   const std::vector<mesh::Point>& points = capture->positions;
   std::vector<mesh::Point> opaque;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (splats.opacities[i] >= least_opacity) opaque.push_back(points[i]);
+    if (!splats.is_faint(i)) opaque.push_back(points[i]);
   const double spacing = mesh::point_spacing(opaque);
   if (!(spacing > 0)) return {std::move(capture), ""};
   const CellCounts cells(opaque, cell_size * spacing);

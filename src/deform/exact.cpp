@@ -158,12 +158,13 @@ ExactModel ExactDeformer::deform(const pose::Pose& pose, const pose::Probes& pro
   if (stitching_) stitch_positions(weights::displacements_of(shape, model_.positions), exact.positions);
   if (coarse_) {
     weights::SharedShape own;
-    if (shape) own = std::make_shared<std::vector<Vec3>>(coarse_model_->means(*shape, pool_));
+    if (shape)
+      own = std::make_shared<std::vector<Vec3>>(coarse_model_->shape_of(*shape, model_.positions, pool_));
     auto moves = coarse_->deform(pose, {}, own).positions;
     const auto means =
         coarse_model_->is_lattice() ? coarse_->blended_ : coarse_model_->means(exact.positions, pool_);
     for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = moves[c] - means[c];
-    coarse_model_->move(moves, exact.positions, pool_);
+    coarse_model_->move(moves, mask_, exact.positions, pool_);
   }
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);

@@ -140,6 +140,43 @@ void pose_splat(const Mat3<double>& f, const HarmonicsTurner& turner, std::size_
     turner.turn(sym3::polar(f).rotation, splats.harmonics.data() + 3 * splats.bands() * i);
 }
 
+/// How a splat is split: the places of the parts along the axis, and their deviation, both relative to the
+/// deviation of the splat. The mean of the squared places, plus the squared deviation, is 1.
+struct Split {
+  std::vector<double> places;
+  double deviation;
+};
+
+Split split_of(double growth) {
+  if (growth > 4) return {{-0.95, 0, 0.95}, 0.6312};
+  if (growth > 2.5) return {{-0.66, 0.66}, 0.7513};
+  return {{0}, 1};
+}
+
+/// Returns the logit of the opacity of each part. The parts together have the opacity of the splat in their
+/// middle.
+float opacity_of_part(float opacity, const Split& split) {
+  const double through = 1 / (1 + std::exp(static_cast<double>(opacity)));  // light that passes
+  double low = 0, high = 1;
+  for (int step = 0; step < 50; ++step) {
+    const double middle = (low + high) / 2;
+    double passes = 1;
+    for (const double place : split.places)
+      passes *= 1 - middle * std::exp(-0.5 * place * place / (split.deviation * split.deviation));
+    (passes > through ? low : high) = middle;
+  }
+  constexpr double most = 1 - 1e-6;
+  const double part = std::min(low, most);
+  return static_cast<float>(std::log(part / (1 - part)));
+}
+
+/// Appends item i of a list whose items have `size` numbers.
+template <class T>
+void append_item(const std::vector<T>& from, std::size_t i, std::size_t size, std::vector<T>& to) {
+  const auto first = from.begin() + static_cast<std::ptrdiff_t>(i * size);
+  to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(size));
+}
+
 }  // namespace
 
 double tip_step(const mesh::Surface& model, const pose::Cage& cage, double distance) {
@@ -184,6 +221,36 @@ mesh::Splats posed_splats(const mesh::Splats& splats, std::span<const mesh::Poin
     }
   });
   return posed;
+}
+
+SplitSplats split_stretched(const mesh::Splats& rest, const mesh::Splats& posed,
+                            std::span<const mesh::Point> positions) {
+  SplitSplats all;
+  all.splats.degree = posed.degree;
+  for (std::size_t i = 0; i < posed.size(); ++i) {
+    const auto& scales = posed.log_scales[i];
+    const std::size_t axis = std::ranges::max_element(scales) - scales.begin();
+    const double growth = std::exp(scales[axis] - *std::ranges::max_element(rest.log_scales[i]));
+    const Split split = split_of(growth);
+    const Mat3<double> rotation = rotation_of(posed.rotations[i]);
+    const double deviation = std::exp(static_cast<double>(scales[axis]));
+    const bool is_split = split.places.size() > 1 && std::isfinite(rotation[0] * deviation);
+    all.split += is_split;
+    for (const double place : is_split ? split.places : std::vector<double>{0}) {
+      mesh::Point p = positions[i];
+      for (std::size_t k = 0; is_split && k < 3; ++k) p[k] += place * deviation * rotation[3 * k + axis];
+      all.positions.push_back(p);
+      all.sources.push_back(static_cast<std::uint32_t>(i));
+      all.splats.log_scales.push_back(scales);
+      if (is_split) all.splats.log_scales.back()[axis] += static_cast<float>(std::log(split.deviation));
+      all.splats.rotations.push_back(posed.rotations[i]);
+      all.splats.opacities.push_back(is_split ? opacity_of_part(posed.opacities[i], split)
+                                              : posed.opacities[i]);
+      all.splats.colors.push_back(posed.colors[i]);
+      append_item(posed.harmonics, i, 3 * posed.bands(), all.splats.harmonics);
+    }
+  }
+  return all;
 }
 
 SplatFrame::SplatFrame(std::shared_ptr<const mesh::Splats> splats) : rest_(splats->size()) {

@@ -9,6 +9,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -41,6 +43,21 @@ weights::SharedShape with_tips(const weights::SharedShape& shape, double step);
 /// are zero.
 mesh::Splats posed_splats(const mesh::Splats& splats, std::span<const mesh::Point> positions, double step,
                           base::WorkerPool& pool);
+
+/// A capture in which stretched splats are split.
+struct SplitSplats {
+  std::vector<mesh::Point> positions;
+  mesh::Splats splats;
+  std::vector<std::uint32_t> sources;  ///< the splat of the original from which each splat is made
+  std::size_t split = 0;               ///< number of splats that were split
+};
+
+/// Splits each splat whose longest axis has grown by a factor above 2.5 into two parts along this axis, and
+/// above 4 into three. The covariance of the parts together, and the opacity in their middle, are those of
+/// the splat; the middle of two parts has at most 0.9. Parts follow their splat. `positions`: those of
+/// `posed`.
+SplitSplats split_stretched(const mesh::Splats& rest, const mesh::Splats& posed,
+                            std::span<const mesh::Point> positions);
 
 /// The splats of a frame, for drawing. Not thread-safe.
 class SplatFrame {

@@ -278,6 +278,7 @@ StitchedEngine::StitchedEngine(std::shared_ptr<const weights::Binding> binding,
 }
 
 void StitchedEngine::set_mask(const weights::Mask& mask) {
+  mask_ = mask;
   if (whole_) whole_->set_mask(mask);
   const weights::Mask own = whole_ ? stitching_->coarse->means(mask) : mask;
   blender_.set_mask(own);
@@ -334,7 +335,7 @@ pose::StageTimes StitchedEngine::move_whole(const pose::CageState& state, sym3::
       coarse.is_lattice() ? blended(weights::spread_vertices(bound_->vertices, bound_->vertices), method)
                           : coarse.means(positions_, pool_);
   for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = stitcher_.positions()[c] - moves[c];
-  coarse.move(moves, positions_, pool_);
+  coarse.move(moves, mask_, positions_, pool_);
   times[pose::Stage::apply] = watch.lap_ms();
   whole_->set_layer(layer_);
   whole_->show(positions_);

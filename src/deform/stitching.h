@@ -42,8 +42,8 @@ inline constexpr double pin_strength = 0.03;
 /// blended values are the means of those of the polygons' corners. Polygons have at most most_split_corners
 /// corners.
 ///
-/// If needs_coarse_model(), the coarse model is stitched. Its displacements from the means of the blended
-/// positions are interpolated.
+/// If stitches_coarse_model(), the coarse model is stitched. Its displacements from the means of the blended
+/// positions are interpolated; those of a lattice, from its own blended positions.
 ///
 /// Without a coarse model, results do not depend on the scene's size or its distance from the origin.
 struct Stitching {

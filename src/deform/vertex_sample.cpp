@@ -71,7 +71,7 @@ std::vector<sym3::Sym3<double>> sample_stretches(const weights::Weigher& weigher
                                                  base::Progress* progress) {
   constexpr std::size_t portion = 256;
   if (rows.form != pose::RowForm::logs) return {};
-  const auto vertices = weights::spread_vertices(binding.vertices, limit);
+  const auto vertices = weights::spread_vertices(binding.model_vertices(), limit);
   const weights::KnownRow row = known_row(binding);
   std::vector<sym3::Sym3<double>> sample(vertices.size());
   for (std::size_t begin = 0; begin < vertices.size(); begin += portion) {

@@ -46,7 +46,7 @@ double sampled_error(const weights::Weigher& weigher, const weights::Binding& bi
                      const ProbeLayer* layer, std::span<const Vec3> shown);
 
 /// Returns the blended logs of stretches, the input of the exponential, at up to `limit` vertices spread
-/// evenly over the model. Empty if rows have no logs. Throws base::Cancelled.
+/// evenly over the model, without tips. Empty if rows have no logs. Throws base::Cancelled.
 std::vector<sym3::Sym3<double>> sample_stretches(const weights::Weigher& weigher,
                                                  const weights::Binding& binding, const weights::Mask& mask,
                                                  const pose::Rows& rows, std::size_t limit,

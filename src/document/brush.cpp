@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "document/record.h"
+#include "mesh/drawing.h"
 
 namespace viete::document {
 
@@ -47,7 +48,7 @@ struct Hit {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
+Hit first_triangle(const Document& document, const PosedModel& posed, const Ray& ray) {
   const mesh::Surface& model = *document.model().surface;
   const auto& [center, scale] = document.space();
   Hit nearest;
@@ -57,9 +58,33 @@ Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray)
       corners[k] = scale * vector_of(posed.at(model, model.triangles[i][k]) - center);
     const auto hit = hit_triangle(ray, corners);
     if (hit && hit->distance > 0 && hit->distance < nearest.distance)
-      nearest = {{i, hit->shares}, hit->distance};
+      nearest = {{model.triangles[i], hit->shares}, hit->distance};
   }
   return nearest;
+}
+
+// Prefers points near the ray to points that are a little nearer to its origin.
+Hit first_point(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const OpenedSurface& model = document.model();
+  const auto& [center, scale] = document.space();
+  const double reach = scale * mesh::point_spacing(model.surface->positions);
+  Hit nearest;
+  double least = nearest.distance;
+  for (std::uint32_t v = 0; v < model.surface->positions.size(); ++v) {
+    if (model.splats && model.splats->is_faint(v)) continue;
+    const glm::dvec3 offset = scale * vector_of(posed.at(*model.surface, v) - center) - ray.origin;
+    const double along = glm::dot(offset, ray.direction);
+    const double aside = glm::length(offset - along * ray.direction);
+    if (!(along > 0 && aside <= reach && along + aside < least)) continue;
+    least = along + aside;
+    nearest = {{{v, v, v}, {1, 0, 0}}, along};
+  }
+  return nearest;
+}
+
+Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const bool points = document.model().surface->triangles.empty();
+  return points ? first_point(document, posed, ray) : first_triangle(document, posed, ray);
 }
 
 }  // namespace
@@ -70,7 +95,7 @@ std::optional<mesh::Point> pick_model(const Document& document, const PosedModel
   return document.space().to_file(ray.origin + hit.distance * ray.direction);
 }
 
-std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray) {
+std::optional<SurfacePoint> pick_corners(const Document& document, const PosedModel& posed, const Ray& ray) {
   const Hit hit = first_hit(document, posed, ray);
   if (!std::isfinite(hit.distance)) return std::nullopt;
   return hit.point;

@@ -28,17 +28,19 @@ struct PosedModel {
 };
 
 /// Returns the first intersection of the ray with the posed model, in file coordinates. Returns nullopt if
-/// the ray misses the model. Tests every triangle.
+/// the ray misses the model. Tests every triangle. Without triangles, tests every point: the ray meets points
+/// that are nearer to it than the usual distance between points. It does not meet faint splats.
 std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray);
 
-/// A point attached to the model: a triangle and barycentric coordinates.
+/// A point attached to the model: the corners of its triangle and barycentric coordinates. Without triangles,
+/// all corners are the same vertex.
 struct SurfacePoint {
-  std::uint32_t triangle = 0;
+  mesh::Triangle corners{};
   std::array<double, 3> shares{};
 };
 
-/// Like pick_model(), but returns the triangle and the barycentric coordinates.
-std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray);
+/// Like pick_model(), but returns the corners and the barycentric coordinates.
+std::optional<SurfacePoint> pick_corners(const Document& document, const PosedModel& posed, const Ray& ray);
 
 /// The number of steps between mask values 0 and 1. Session files have the same steps.
 inline constexpr int mask_steps = 255;

@@ -91,6 +91,8 @@ public:
   const std::vector<Carried>& carried() const { return carried_; }
 
   bool has_cage() const { return state_.cage != nullptr; }
+  /// False for captures and point sets, and without a model.
+  bool has_faces() const { return model().surface && !model().surface->triangles.empty(); }
   bool is_movable() const { return has_cage() || !probes().empty() || has_shapes(); }
   /// True if the model, a pose or a key has a shape.
   bool has_shapes() const;

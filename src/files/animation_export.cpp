@@ -100,6 +100,7 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   });
   if (auto note = formats::rounding_note(model.rounding(), diagonal_of(what)); !note.empty())
     notes.add({std::move(note)});
+  if (what.model.splats) notes.add({"left out of the point cache: " + std::string(formats::splat_content)});
   report.notes = notes.take();
   report.summary = base::counted(frames.size(), "frame") + " of " +
                    base::with_thousands(what.model.model->positions.size()) + " vertices, " +
@@ -386,8 +387,9 @@ void check_animation_export(const AnimationExport& what) {
         file.string(),
         extension.empty() ? "the file name has no extension" : "unknown extension ." + extension,
         "use " + formats::format_extensions(formats::is_sequence, ", ") + ", " +
-            formats::format_extensions(formats::holds_morphs) +
-            ", or numbered models or pictures (frame_####.obj, frame_####.png)");
+            formats::format_extensions(formats::holds_morphs) + ", a film (" +
+            base::listed(std::vector<std::string>(film_formats.begin(), film_formats.end())) +
+            "), or numbered models or pictures (frame_####.obj, frame_####.png)");
   if (!is_numbered(what) && !is_animation_format(extension))
     throw base::Error(file.string(), "this format stores only one frame per file",
                       "use a numbered name: " + (file.stem() += "_####." + extension).string());

@@ -85,10 +85,21 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
                                      base::Progress* progress) {
   const std::vector<mesh::Point>& shape = what.shape ? *what.shape : what.model->positions;
   keep_at_rest(*what.cage, what.pose, what.probes, shape, deformed.positions);
-  const formats::Content content{
-      *what.model, deformed.positions, {}, what.attributes.get(), deformed.splats.get()};
+  deform::SplitSplats parts;
+  if (what.split && what.splats)
+    parts = deform::split_stretched(*what.splats, *deformed.splats, deformed.positions);
+  const bool split = parts.split > 0;
+  const formats::Content content{*what.model,
+                                 split ? parts.positions : deformed.positions,
+                                 {},
+                                 what.attributes.get(),
+                                 split ? &parts.splats : deformed.splats.get(),
+                                 split ? parts.sources : std::span<const std::uint32_t>()};
   std::vector<std::string> notes =
       formats::write(what.file, content, what.original.get(), what.digits, progress);
+  if (split)
+    notes.push_back("split " + base::counted(parts.split, "stretched splat") + ": the file has " +
+                    std::to_string(parts.positions.size()) + " splats");
   std::ranges::move(deformed.warnings, std::back_inserter(notes));
   for (auto& note : document::pose_notes(deformed.report, *what.cage, what.pose))
     notes.push_back(std::move(note));

@@ -30,6 +30,7 @@ struct Export {
   document::UpAxis up = document::UpAxis::y;  ///< the model's up axis
   formats::Digits digits = {};
   std::shared_ptr<const mesh::Splats> splats = nullptr;  ///< of a capture; null for other models
+  bool split = false;                                    ///< true: see deform::split_stretched()
 };
 
 /// Copies the data. Guesses the up axis from the model's file. document.is_movable() must be true.

@@ -179,6 +179,7 @@ void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface
 void take_shapes(Opened& opened, std::vector<fs::path> files, const document::Document& current,
                  base::Progress* progress) {
   sort_by_numbers(files);
+  check_shape_rest("", *current.model().surface);
   ImportedShapes read = read_shapes(files, *current.model().surface, progress);
   document::Document checked;
   for (const document::NamedShape& shape : read.shapes) {

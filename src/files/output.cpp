@@ -1,5 +1,7 @@
 #include "files/output.h"
 
+#include <algorithm>
+
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
@@ -30,14 +32,17 @@ bool may_be_replaced(const fs::path& file, const formats::Beginning& beginning, 
     case Content::picture: return bytes.starts_with("\x89PNG\r\n\x1a\n");
     case Content::json: return !formats::text_in_json(bytes, {"figure"}).empty();
     case Content::session: return is_session_text(bytes);
+    case Content::film:
+      return bytes.substr(0, 8).ends_with("ftyp") || bytes.starts_with("\x1a\x45\xdf\xa3") ||
+             bytes.starts_with("GIF8");
     case Content::page: break;
   }
   return bytes.substr(0, 512).find(R"(content="viete report")") != bytes.npos;
 }
 
 std::string name_of(const fs::path& file, Content content) {
-  constexpr const char* names[] = {"", "a PNG picture", "Viete measurements",
-                                   "", "a session",     "a report page"};
+  constexpr const char* names[] = {
+      "", "a PNG picture", "Viete measurements", "", "a session", "a report page", "a film"};
   const std::string name = names[static_cast<std::size_t>(content)];
   if (!name.empty()) return name;
   const formats::Format* format = formats::find_format(file);
@@ -87,12 +92,17 @@ void check_output(const fs::path& file, Content content, const document::FilesIn
 
 void check_output(const fs::path& file, const FrameSteps& frames, const document::FilesInUse& files,
                   Force force) {
-  if (!base::NumberedName::is_pattern(file)) return check_output(file, Content::animation, files, force);
+  if (!base::NumberedName::is_pattern(file))
+    return check_output(file, is_film(file) ? Content::film : Content::animation, files, force);
   base::remove_leftovers_beside(file);
   const base::NumberedName name(file);
   for (int frame = frames.first; frame <= frames.last; frame += frames.step)
     if (const std::string* used = files.find(name.file(frame)))
       refuse_in_use(name.file(frame), *used, file, Force::none);
+}
+
+bool is_film(const fs::path& file) {
+  return std::ranges::count(film_formats, formats::extension_of(file)) > 0;
 }
 
 void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force) {

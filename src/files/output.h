@@ -1,6 +1,7 @@
 // Checks files before they are overwritten.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -22,7 +23,7 @@ class Document;
 
 namespace viete::files {
 
-enum class Content { surface, picture, json, animation, session, page };
+enum class Content { surface, picture, json, animation, session, page, film };
 
 enum class Force {
   none,     ///< the user cannot override the check
@@ -43,6 +44,10 @@ inline void check_output(const std::filesystem::path& file, Content content,
 struct FrameSteps {
   int first = 1, last = 0, step = 1;
 };
+
+/// The extensions of films, which ffmpeg makes of pictures.
+inline constexpr std::array<std::string_view, 3> film_formats = {"mp4", "webm", "gif"};
+bool is_film(const std::filesystem::path& file);
 
 /// Checks the output of an animation: one file or, for a pattern, the files of all frames. Files of a pattern
 /// must not be input files, even with Force::given: the export could read a file after overwriting it.

@@ -12,6 +12,7 @@
 #include "formats/point_cache.h"
 #include "mesh/normals.h"
 #include "mesh/point_tree.h"
+#include "mesh/triangle.h"
 #include "mesh/vertex_order.h"
 
 namespace viete::files {
@@ -149,6 +150,16 @@ MorphPositions morphs_of(const std::filesystem::path& file, const PosedSurface& 
   found.order = order_by_place(file.string(), read.surface, of);
   warnings.insert(warnings.end(), found.clip->notes().begin(), found.clip->notes().end());
   return found;
+}
+
+void check_shape_rest(const std::string& place, const mesh::Surface& model) {
+  const auto& p = model.positions;
+  const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
+  if (std::ranges::any_of(model.triangles, has_area)) return;
+  throw base::Error(place,
+                    model.triangles.empty() ? "shapes need a model with faces, and this model has only points"
+                                            : "all faces of this model have zero area",
+                    "choose another model as the rest shape");
 }
 
 void check_shape_count(const std::string& file, std::size_t count, const mesh::Surface& model) {

@@ -33,6 +33,9 @@ struct ImportedShapes {
 ImportedShapes read_shapes(std::span<const std::filesystem::path> files, const mesh::Surface& model,
                            base::Progress* progress = nullptr);
 
+/// Throws base::Error if no triangle of the model has an area: such models have no log space. place: a file
+/// name.
+void check_shape_rest(const std::string& place, const mesh::Surface& model);
 /// If the shapes exceed the limit of a timeline or the free memory, throws base::Error. place: a file name.
 void check_shape_count(const std::string& place, std::size_t count, const mesh::Surface& model);
 

@@ -73,8 +73,7 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   std::vector<std::string> names, notes;
   if (content.attributes) names = names_of_left_out(format, content.surface, *content.attributes, deformed);
   const bool capture = content.splats || (original && original->capture() != Capture::none);
-  if (capture && !(content.splats && format.holds(held::splats)))
-    names.emplace_back("sizes, rotations, opacities and colours of splats");
+  if (capture && !(content.splats && format.holds(held::splats))) names.emplace_back(splat_content);
   if (original) std::ranges::move(original->beyond_attributes(), std::back_inserter(names));
   if (!names.empty())
     notes.push_back("left out of the " + std::string(format.name) +

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
@@ -11,6 +12,9 @@
 #include "mesh/surface.h"
 
 namespace viete::formats {
+
+/// The content of a capture that formats without splats do not store.
+inline constexpr std::string_view splat_content = "sizes, rotations, opacities and colours of splats";
 
 /// Writes a surface. OBJ, OFF (text) and PLY (binary) keep polygons and vertices exactly. STL (text) keeps
 /// triangles exactly, but no larger polygons and no unused vertices. For glTF see write_glb(). Comments go to

@@ -24,6 +24,8 @@ struct Splats {
   int degree = 0;  ///< of the spherical harmonics, 0 to 3
 
   std::size_t size() const { return opacities.size(); }
+  /// True if the opacity is below 0.05 or NaN.
+  bool is_faint(std::size_t i) const { return !(opacities[i] >= -2.9444390F); }  // the logit of 0.05
   /// The number of harmonics besides the constant one: 0, 3, 8 or 15.
   std::size_t bands() const { return static_cast<std::size_t>(degree * (degree + 2)); }
   /// Sets the number of splats. `degree` must be set before.

@@ -225,7 +225,8 @@ void add_elements(Cage& cage) {
     if (!cage.degenerate.back()) has_area[cage.polygon_of(e)] = 1;
   }
   if (std::ranges::count(has_area, 1) == 0) {
-    throw base::Error("", "all faces of the cage have zero area", "choose a surface that encloses the model");
+    throw base::Error("", has_area.empty() ? "the cage has no faces" : "all faces of the cage have zero area",
+                      "choose a surface that encloses the model");
   }
   std::vector<std::size_t> found;
   for (const auto polygon : cage.elements.triangle_polygon)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/spherical_harmonics.h"
 #include "base/worker_pool.h"
 #include "render/upload.h"
 
@@ -19,28 +20,6 @@ constexpr float blur = 0.3F;            // added to both variances on the screen
 constexpr float widest = 1.3F;          // outside the picture, in its half size, Jacobians stay constant
 constexpr float most_deviation = 1e5F;  // in pixels; larger ones could not be squared, and fill the view
 constexpr std::size_t block = 1 << 13;
-
-// The values of real spherical harmonics of degrees 1 to `degree` in the direction d, in the order and with
-// the signs of Kerbl et al.
-std::array<float, 15> harmonics_at(const glm::vec3& d, int degree) {
-  const float x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
-  std::array<float, 15> at{-0.48860251F * y, 0.48860251F * z, -0.48860251F * x};
-  if (degree < 2) return at;
-  at[3] = 1.09254843F * x * y;
-  at[4] = -1.09254843F * y * z;
-  at[5] = 0.31539157F * (2 * zz - xx - yy);
-  at[6] = -1.09254843F * x * z;
-  at[7] = 0.54627422F * (xx - yy);
-  if (degree < 3) return at;
-  at[8] = -0.59004359F * y * (3 * xx - yy);
-  at[9] = 2.89061144F * x * y * z;
-  at[10] = -0.45704580F * y * (4 * zz - xx - yy);
-  at[11] = 0.37317633F * z * (2 * zz - 3 * xx - 3 * yy);
-  at[12] = -0.45704580F * x * (4 * zz - xx - yy);
-  at[13] = 1.44530572F * z * (xx - yy);
-  at[14] = -0.59004359F * x * (xx - 3 * yy);
-  return at;
-}
 
 // R^T d, where R is the rotation of the quaternion.
 glm::vec3 turned_back(const SplatTurn& turn, const glm::vec3& d) {
@@ -169,7 +148,8 @@ glm::vec3 SplatLayer::color_of(const Frame& frame, std::size_t splat) const {
     const float* p = vertices_[splat].position;
     const glm::vec3 d =
         frame.perspective ? glm::normalize(glm::vec3(p[0], p[1], p[2]) - frame.eye) : frame.eye;
-    const auto at = harmonics_at(turns_.empty() ? d : turned_back(turns_[splat], d), looks_->degree);
+    const glm::vec3 back = turns_.empty() ? d : turned_back(turns_[splat], d);
+    const auto at = base::harmonics_at(back.x, back.y, back.z, looks_->degree);
     const float* factors = looks_->harmonics->data() + 3 * bands * splat;
     for (int channel = 0; channel < 3; ++channel, factors += bands)
       for (std::size_t i = 0; i < bands; ++i) color[channel] += factors[i] * at[i];

@@ -466,7 +466,7 @@ void ExamplePosing::follow_clusters(std::span<const LogTerm> sum) {
 void ExamplePosing::move_model() {
   if (posed_.empty()) return;
   space_.follow(terms(), posed_, pool_, model_positions_, pose::first_numbers(model_positions_.size()));
-  space_.coarse()->move(moves_, model_positions_, pool_);
+  space_.coarse()->move(moves_, nullptr, model_positions_, pool_);
 }
 
 // Moves the pins towards the targets. All other vertices of the pinned parts follow.

@@ -164,7 +164,7 @@ ShapeSpace::Triangles ShapeSpace::triangles_of(const mesh::Surface& rest) {
     all.areas.push_back(norm(cross(scale * (p[b] - p[a]), scale * (p[c] - p[a]))) / 2);
   }
   if (std::ranges::find(all.flat, 0) == all.flat.end())
-    throw base::Error("", "all triangles of the model have zero area", "choose a model that is a surface");
+    throw base::Error("", "the model has no triangle with an area", "choose a model that is a surface");
   all.neighbours = pose::weighted_pairs(pose::dual_graph(rest, all.flat).edges, all.areas);
   return all;
 }

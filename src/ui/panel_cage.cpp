@@ -12,7 +12,10 @@ namespace viete::ui {
 
 namespace {
 
-std::string surface_text(const document::Summary& summary) {
+std::string surface_text(const document::OpenedSurface& opened) {
+  const document::Summary& summary = opened.summary;
+  if (opened.splats) return "capture";
+  if (summary.polygons == 0) return "points";
   const std::string kind = !summary.manifold() ? "not manifold" : summary.closed() ? "watertight" : "open";
   return summary.parts > 1 ? kind + ", " + count(summary.parts) + " parts" : kind;
 }
@@ -22,7 +25,7 @@ std::string surface_text(const document::Summary& summary) {
 void panel_model(const Context& ui) {
   const auto& model = ui.workspace.document.model();
   const bool open = section(ui, "Model");
-  if (model.surface) section_note(ui, surface_text(model.summary));
+  if (model.surface) section_note(ui, surface_text(model));
   if (!open) return;
   if (!model.surface && ui.workspace.jobs.loading.running) return note(ui, ui.workspace.jobs.loading.what);
   if (!model.surface) {
@@ -35,7 +38,11 @@ void panel_model(const Context& ui) {
   ImGui::TextUnformatted(model.path.filename().string().c_str());
   ImGui::PopTextWrapPos();
   hint(model.path.string() + "  (" + model.format + ")");
-  value_row(ui, "Vertices, triangles", count(model.summary.vertices) + "  " + count(model.summary.triangles));
+  if (ui.workspace.document.has_faces())
+    value_row(ui, "Vertices, triangles",
+              count(model.summary.vertices) + "  " + count(model.summary.triangles));
+  else
+    value_row(ui, model.splats ? "Splats" : "Points", count(model.summary.vertices));
   command_row(ui, {"open_model", "save_model"});
 }
 

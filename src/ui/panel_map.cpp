@@ -43,6 +43,8 @@ void panel_map(const Context& ui) {
   choice_list(ui, "map", std::optional(wanted), ImGui::GetContentRegionAvail().x);
   if (wanted == analysis::Field::none)
     return note(ui, "Choose a measure of the deformation to colour the model.");
+  if (analysis::entry(wanted).needs_faces && !w.document.has_faces())
+    return note(ui, "Not available here: this map needs a model with faces.");
   if (workspace::shown_field(w) == analysis::Field::none)
     return note(ui, "Not available here: this map needs a cage and the blend \"Log space\".");
   const bool needs_selection = wanted == analysis::Field::influence && w.document.selection().empty();
@@ -132,12 +134,11 @@ std::optional<double> pointed_value(const workspace::Workspace& w, const workspa
   if (!cursor || !shown.values || w.view.interaction.drag || ImGui::GetIO().WantCaptureMouse)
     return std::nullopt;
   const auto hit =
-      document::pick_triangle(w.document, w.frame.posed, w.view.camera.ray(*cursor, w.view.viewport));
+      document::pick_corners(w.document, w.frame.posed, w.view.camera.ray(*cursor, w.view.viewport));
   if (!hit) return std::nullopt;
-  const auto& corners = w.document.model().surface->triangles[hit->triangle];
   double value = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    value += hit->shares[k] * static_cast<double>((*shown.values)[corners[k]]);
+    value += hit->shares[k] * static_cast<double>((*shown.values)[hit->corners[k]]);
   return value;
 }
 

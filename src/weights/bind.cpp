@@ -127,7 +127,7 @@ BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
 }
 
 KnownRow known_row(const Binding& binding) {
-  if (!binding.weighting.on_surface()) return {};
+  if (!binding.weighting.smooth()) return {};
   if (binding.weights.empty())
     return [&tiles = *binding.tiles, slots = slots_of(binding.tiles->leaves)](
                std::uint32_t vertex, std::span<double> row) { tiles.kept_row(slots[vertex], row); };

@@ -32,8 +32,8 @@ struct BoundPart {
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
                     std::vector<double> weights = {});
 
-/// Returns the weights along the surface in a binding: those of the staged engine or, if these are missing,
-/// of the tiles. Empty for other weights. The binding must outlive the result.
+/// Returns the smooth weights in a binding: those of the staged engine or, if these are missing, of the
+/// tiles. Empty for other weights. The binding must outlive the result.
 KnownRow known_row(const Binding& binding);
 /// Binds some of the vertices whose positions at rest are `rest`, with shares multiplied by the mask. If
 /// `row` is empty, computes the weights. `mask` may be null.

@@ -109,20 +109,35 @@ std::vector<Vec3> CoarseModel::means(std::span<const Vec3> of_vertices, base::Wo
   return means;
 }
 
+std::vector<Vec3> CoarseModel::shape_of(std::span<const Vec3> shape, std::span<const Vec3> rest,
+                                        base::WorkerPool& pool) const {
+  if (!is_lattice_) return means(shape, pool);
+  std::vector<Vec3> moves(shape.begin(), shape.end());
+  for (std::size_t v = 0; v < moves.size(); ++v) moves[v] = moves[v] - rest[v];
+  moves = means(moves, pool);
+  for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = surface_.positions[c] + moves[c];
+  return moves;
+}
+
 Mask CoarseModel::means(const Mask& mask) const {
-  if (!mask) return nullptr;
+  if (!mask || is_lattice_) return nullptr;
   std::vector<float> means;
   for (std::size_t c = 0; c < surface_.positions.size(); ++c) {
     float sum = 0;
     for (const auto v : members_.of(c)) sum += (*mask)[v];
-    means.push_back(members_.of(c).empty() ? 1 : sum / static_cast<float>(members_.of(c).size()));
+    means.push_back(sum / static_cast<float>(members_.of(c).size()));
   }
   return std::make_shared<const std::vector<float>>(std::move(means));
 }
 
-void CoarseModel::move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const {
+void CoarseModel::move(std::span<const Vec3> moves, const Mask& mask, std::span<Vec3> positions,
+                       base::WorkerPool& pool) const {
+  const bool masks = mask && is_lattice_;
   pool.for_blocks(positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) positions[v] = positions[v] + blended(moves, v);
+    for (std::size_t v = begin; v < end; ++v) {
+      const Vec3 move = blended(moves, v);
+      positions[v] = positions[v] + (masks ? static_cast<double>((*mask)[v]) * move : move);
+    }
   });
 }
 

@@ -1,4 +1,4 @@
-// A coarse copy of a large model, for solves that would take too long with all vertices.
+// A coarse copy of a model that is large or has no faces, for solves.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,9 @@ struct RigidMotion {
   Vec3 shift;
 };
 
-/// The clusters of a SurfaceProxy, at the means of their members. Interpolates motions of clusters at the
-/// model's vertices; vertices without triangles do not move. Thread-safe.
+/// The clusters of a SurfaceProxy, at the means of their members, or the points of a Lattice. Interpolates
+/// motions of clusters at the model's vertices; in a model with faces, vertices without triangles do not
+/// move. Thread-safe.
 class CoarseModel {
 public:
   struct Term {
@@ -52,12 +53,17 @@ public:
   /// Replaces clusters that have no triangle with an area: their vertices move with the nearest other
   /// cluster. Returns the number of changed terms. Not thread-safe.
   std::size_t adopt_clusters();
-  /// Return the mean of each cluster's members; without members, no displacement, and the full share. If the
-  /// argument is empty or null, the result is too.
+  /// Return the mean of each cluster's members; without members, no displacement. If the argument is empty or
+  /// null, the result is too. A lattice has no mask.
   std::vector<Vec3> means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const;
   Mask means(const Mask& mask) const;
-  /// Adds the displacements of clusters, `moves`, to the positions of all vertices.
-  void move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const;
+  /// Returns the positions of the clusters if the model at `rest` has this shape.
+  std::vector<Vec3> shape_of(std::span<const Vec3> shape, std::span<const Vec3> rest,
+                             base::WorkerPool& pool) const;
+  /// Adds the displacements of clusters, `moves`, to the positions of all vertices. The model's mask scales
+  /// those of a lattice. Other clusters have the means of the mask.
+  void move(std::span<const Vec3> moves, const Mask& mask, std::span<Vec3> positions,
+            base::WorkerPool& pool) const;
   /// Returns the mean of the clusters' motions at a vertex. The mean of rotations is not orthogonal.
   RigidMotion blended(std::span<const RigidMotion> motions, std::size_t vertex) const;
   /// Returns the sum of the clusters' displacements at a vertex.

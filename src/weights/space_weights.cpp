@@ -14,7 +14,7 @@ namespace viete::weights {
 
 namespace {
 
-// Chosen by energy, leak and distance from the cage over 40 poses of 10 models.
+// Chosen by energy, leak and distance from the cage over the poses of six models.
 constexpr double width = 1;                               // e, in spacings
 constexpr double soft_biharmonic = 6, soft_harmonic = 1;  // 1 / s, in spacings
 constexpr double threshold = 0.3;                         // d, in mean weights
@@ -30,52 +30,77 @@ double scaled_area(const pose::Cage& cage, double scale) {
   return sum;
 }
 
+// The handles with a share, and their shares.
+struct Weighing {
+  Weighing(const pose::Cage& cage, pose::Elements elements, std::size_t all) {
+    for (std::size_t h = 0; h < all; ++h) {
+      const double share = handle_shape(cage, elements, h).share;
+      if (share == 0) continue;
+      handles.push_back(h);
+      shares.push_back(share);
+    }
+  }
+
+  std::vector<std::size_t> handles;
+  std::vector<double> shares;
+};
+
+// The coefficients and constants for the target of each handle, a column each. The matrix, of which only the
+// lower triangle is read, is overwritten.
+struct Solution {
+  explicit Solution(Eigen::MatrixXd& matrix) {
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix);
+    if (factored.info() != Eigen::Success) sparse::refuse_system();
+    coefficients = factored.solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+    const Eigen::VectorXd sums = coefficients.rowwise().sum();
+    constants = sums / sums.sum();
+    coefficients -= sums * constants.transpose();
+  }
+
+  Eigen::MatrixXd coefficients;
+  Eigen::VectorXd constants;
+};
+
+void require_memory(std::size_t handles) {
+  const auto k = static_cast<double>(handles);
+  base::require_memory({4 * sizeof(double) * k * k,
+                        "smooth weights of " + std::to_string(handles) + " cage elements take",
+                        "use a coarser cage, or other weights", ""});
+}
+
 }  // namespace
 
 SpaceWeights::SpaceWeights(const pose::Cage& cage, const pose::Weighting& weighting,
                            std::vector<Vec3> centers, double scale)
     : centers_(std::move(centers)), inverse_(weighting.weights == pose::Weights::harmonic) {
-  std::vector<std::size_t> weighing;
-  std::vector<double> shares;
-  for (std::size_t h = 0; h < centers_.size(); ++h) {
-    const double share = handle_shape(cage, weighting.elements, h).share;
-    if (share == 0) continue;
-    weighing.push_back(h);
-    shares.push_back(share);
-  }
+  const auto [handles, shares] = Weighing(cage, weighting.elements, centers_.size());
   const double count = std::accumulate(shares.begin(), shares.end(), 0.0);
   const double spacing = std::sqrt(scaled_area(cage, scale) / count);
   width_ = width * spacing;
   threshold_ = threshold / count;
-  const std::size_t padded = (centers_.size() + space_group - 1) / space_group * space_group;
-  centers_.resize(padded);
-  base::require_memory({4.0 * sizeof(double) * static_cast<double>(padded * padded),
-                        "smooth weights of " + std::to_string(padded) + " cage elements take",
-                        "use a coarser cage, or other weights", ""});
+  centers_.resize((centers_.size() + space_group - 1) / space_group * space_group);
+  require_memory(centers_.size());
+  const double unit = inverse_ ? spacing * spacing : -1;
   const double compliance = spacing * (inverse_ ? soft_harmonic : soft_biharmonic);
-  const auto n = static_cast<Eigen::Index>(weighing.size());
-  Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index j = 0; j < n; ++j)
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      const double distance = std::hypot(norm(centers_[weighing[a]] - centers_[weighing[b]]), width_);
-      matrix(i, j) = inverse_ ? spacing * spacing / distance : above_distances - distance;
-      if (i == j) matrix(i, i) += compliance / shares[a];
+  Eigen::MatrixXd matrix(handles.size(), handles.size());
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double distance = std::hypot(norm(centers_[handles[i]] - centers_[handles[j]]), width_);
+      matrix(Eigen::Index(i), Eigen::Index(j)) =
+          inverse_ ? unit / distance : above_distances + unit * distance;
     }
-  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix);
-  if (factored.info() != Eigen::Success) sparse::refuse_system();
-  Eigen::MatrixXd inverse = factored.solve(Eigen::MatrixXd::Identity(n, n));
-  const Eigen::VectorXd sums = inverse.rowwise().sum();
-  inverse -= sums * (sums.transpose() / sums.sum());
+    matrix(Eigen::Index(i), Eigen::Index(i)) += compliance / shares[i];
+  }
+  const Solution solution(matrix);
+  const std::size_t padded = centers_.size();
   constants_.assign(padded, 0);
   coefficients_.assign(padded * padded, 0);
-  const double unit = inverse_ ? spacing * spacing : -1;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const std::size_t h = weighing[static_cast<std::size_t>(j)];
-    constants_[h] = sums[j] / sums.sum();
+  for (std::size_t j = 0; j < handles.size(); ++j) {
+    const std::size_t h = handles[j];
+    constants_[h] = solution.constants[Eigen::Index(j)];
     double* column = coefficients_.data() + h / space_group * padded * space_group + h % space_group;
-    for (Eigen::Index i = 0; i < n; ++i)
-      column[weighing[static_cast<std::size_t>(i)] * space_group] = unit * inverse(i, j);
+    for (std::size_t i = 0; i < handles.size(); ++i)
+      column[handles[i] * space_group] = unit * solution.coefficients(Eigen::Index(i), Eigen::Index(j));
   }
 }
 

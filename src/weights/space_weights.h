@@ -23,7 +23,7 @@ using mesh::Vec3;
 /// 1971). For `harmonic` weights, E is the Dirichlet energy and minima are sums of 1 / sqrt(|x - c_i|^2 +
 /// e^2). The a_i sum to 0, so weights have limits far away. e is the mean spacing of the handles, which makes
 /// all derivatives continuous. The springs s_i are soft, as those of SurfaceSystem: with stiff springs, the
-/// model follows single handles, and its energy is a third higher.
+/// model follows single handles, and its energy is a quarter higher.
 ///
 /// Then, so that distant handles have no influence, weights w up to 0 become 0, weights up to 2 d become
 /// w^2 / (4 d), and others w - d. The result is divided by the sum. d is a third of the mean weight. First

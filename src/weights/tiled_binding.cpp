@@ -575,7 +575,7 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, pose::Engin
 TiledBinding bind_tiles(const mesh::Surface& model, const pose::Cage& cage, const pose::Weighting& asked,
                         base::WorkerPool& pool, double tolerance, base::Progress* progress,
                         std::optional<Storage> storage, const KnownRow& known) {
-  const pose::Weighting weighting = weighting_for(model, asked);
+  const pose::Weighting weighting = known ? asked : weighting_for(model, asked);
   const std::size_t n = model.positions.size(), k = handle_count(cage, weighting.elements);
   if (weighting.on_surface() && !known) {
     const auto bytes = static_cast<double>(binding_bytes(n, k, pose::EngineKind::fused, weighting));

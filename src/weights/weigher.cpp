@@ -47,22 +47,21 @@ Weigher::Weigher(const pose::Cage& cage, const pose::Weighting& weighting, const
   const auto centers = handle_centers(cage, weighting.elements);
   handles_ = relative_to(origin_, {centers.begin(), centers.end()});
   for (const Vec3& p : cage.elements.positions) corners_.push_back(scaled(p));
-  if (weighting.on_surface()) return;
-  if (weighting.smooth()) {
-    add_space_weights();
-  } else {
-    weighting.weights == pose::Weights::mean_value ? add_views() : add_triangles();
-  }
+  if (weighting.smooth()) return;  // for those in space, see space()
+  weighting.weights == pose::Weights::mean_value ? add_views() : add_triangles();
 }
 
 Vec3 Weigher::scaled(const mesh::Point& p) const {
   return scale_ * (p - origin_);
 }
 
-void Weigher::add_space_weights() {
-  std::vector<Vec3> centers;
-  for (const Vec3& handle : handles_) centers.push_back(scale_ * handle);
-  space_.emplace(cage_, weighting_, std::move(centers), scale_);
+const SpaceWeights& Weigher::space() const {
+  std::call_once(solved_, [this] {
+    std::vector<Vec3> centers;
+    for (const Vec3& handle : handles_) centers.push_back(scale_ * handle);
+    space_.emplace(cage_, weighting_, std::move(centers), scale_);
+  });
+  return *space_;
 }
 
 void Weigher::add_triangles() {
@@ -110,7 +109,7 @@ void Weigher::add_views() {
 }
 
 std::size_t Weigher::scratch_size() const {
-  if (space_) return 2 * space_->buffer_size();
+  if (weighting_.smooth() && weighting_.in_space) return 2 * space().buffer_size();
   return bind_lanes * std::max(handles(), corners_.size()) +
          MeanValueJob::scratch_size(corners_.size(), edges_.size());
 }
@@ -132,7 +131,8 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
     case pose::Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case pose::Weights::harmonic:
     case pose::Weights::biharmonic:  // on a surface, these weights exist only at vertices
-      if (space_) kernel_.in_space(space_->job(at, scratch.data() + space_->buffer_size()), scratch.data());
+      if (weighting_.in_space)
+        kernel_.in_space(space().job(at, scratch.data() + space().buffer_size()), scratch.data());
       return 0;
   }
   return 0;
@@ -173,7 +173,7 @@ std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, floa
                                        std::span<float> shares) const {
   std::vector<bool> failed(points.size());
   base::AlignedVector<double> scratch(scratch_size());  // unaligned data would take 10 % longer
-  const bool in_float = weighting_.weights != pose::Weights::mean_value && !space_;
+  const bool in_float = weighting_.weights != pose::Weights::mean_value && !weighting_.smooth();
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +21,8 @@ pose::Weighting weighting_for(const mesh::Surface& model, pose::Weighting weight
 
 /// Computes weights for any points, as in Binding. For definitions, see BindKernel and mean_value_weights().
 /// The error is 1e-13; near an element, rounding in the distance can add more. Weights along the surface
-/// exist only at vertices and are not computed here; those in space are, see SpaceWeights. Keeps a reference to the cage. Thread-safe.
+/// exist only at vertices and are not computed here; those in space are, see SpaceWeights. Keeps a reference
+/// to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const pose::Cage& cage, const pose::Weighting& weighting,
@@ -48,7 +50,7 @@ public:
   const Vec3& origin() const { return origin_; }
 
 private:
-  void add_space_weights();
+  const SpaceWeights& space() const;
   void add_triangles();
   void add_views();
   Vec3 scaled(const mesh::Point& p) const;
@@ -75,7 +77,8 @@ private:
   std::vector<mesh::Edge> edges_;
   std::vector<MeanValueTriangle> views_;
   std::vector<std::uint32_t> without_area_;  // the cage's triangles without area
-  std::optional<SpaceWeights> space_;
+  mutable std::once_flag solved_;
+  mutable std::optional<SpaceWeights> space_;  // made when first used, because solving takes time
 };
 
 }  // namespace viete::weights

@@ -44,6 +44,9 @@ inline constexpr Condition has_probe_room{
       return has_model(w) && w.document.probes().all.size() < document::most_probes && !is_dragging(w);
     },
     "Open a model first. At most 256 probes are possible."};
+inline constexpr Condition has_pin_room{
+    [](const Workspace& w) { return w.document.has_faces() && has_probe_room(w); },
+    "Pins need a model with faces. At most 256 probes are possible."};
 inline constexpr Condition has_probes_selected{[](const Workspace& w) {
                                                  return selects_probes(w) &&
                                                         !w.document.selection().empty() && !is_dragging(w);

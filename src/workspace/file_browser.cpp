@@ -65,7 +65,10 @@ std::vector<std::string_view> FileBrowser::formats() const {
     add(formats::is_sequence);
     add(formats::holds_morphs);
     add(purpose == Purpose::animation ? formats::keeps_order : formats::holds_one_frame);
-    if (purpose == Purpose::save_animation) names.push_back("png");
+    if (purpose == Purpose::save_animation) {
+      names.push_back("png");
+      names.insert(names.end(), files::film_formats.begin(), files::film_formats.end());
+    }
   } else {
     add(formats::holds_surface);
     if (purpose == Purpose::shapes) add(formats::is_sequence);
@@ -81,7 +84,7 @@ bool FileBrowser::makes_morphs() const {
 }
 
 bool FileBrowser::makes_pictures() const {
-  return purpose == Purpose::save_animation && format_of(*this) == "png";
+  return purpose == Purpose::save_animation && (format_of(*this) == "png" || files::is_film(path));
 }
 
 std::pair<fs::path, std::size_t> FileBrowser::replaced() const {
@@ -198,7 +201,8 @@ namespace {
 
 // If the format stores only one model per file, adds "_####" for the frame number to the name.
 fs::path animation_name(const fs::path& file) {
-  if (files::is_animation_format(formats::extension_of(file)) || base::NumberedName::is_pattern(file))
+  if (files::is_animation_format(formats::extension_of(file)) || files::is_film(file) ||
+      base::NumberedName::is_pattern(file))
     return file;
   return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
 }
@@ -210,7 +214,10 @@ fs::path chosen_file(const FileBrowser& browser) {
   const bool session = browser.purpose == Purpose::save_session;
   if (session && !files::is_session(file)) file += files::session_extension;
   const bool animation = browser.purpose == Purpose::save_animation;
-  if (browser.saves() && !session && file.extension().empty()) file += animation ? ".pc2" : ".obj";
+  if (browser.saves() && !session && file.extension().empty()) {
+    const fs::path extension = fs::path(browser.suggested).extension();
+    file += !extension.empty() ? extension : animation ? ".pc2" : ".obj";
+  }
   return animation ? animation_name(file) : file;
 }
 

@@ -49,8 +49,16 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
        files_open(w, own_of(purpose)));
 }
 
+// Proposes the ending, or for a capture its own format, because few formats store splats.
+void browse_to_export(Workspace& w, Purpose purpose, const std::string& ending,
+                      const std::string& capture_ending) {
+  const document::OpenedSurface& model = w.document.model();
+  browse_to_save(w, purpose, model.path,
+                 model.splats ? capture_ending + model.path.extension().string() : ending);
+}
+
 void save_animation(Workspace& w) {
-  browse_to_save(w, Purpose::save_animation, w.document.model().path, "_animation.pc2");
+  browse_to_export(w, Purpose::save_animation, "_animation.pc2", "_####");
   const glm::ivec2 size = glm::clamp(glm::ivec2(w.view.viewport.window), least_picture, largest_picture);
   w.files.browser.pictures = PictureChoice{
       .grid = w.view.options.grid, .light = !w.view.options.dark, .width = size.x, .height = size.y};
@@ -64,9 +72,12 @@ constexpr Condition has_example{[](const Workspace& w) { return !w.files.example
 constexpr Condition can_import{
     [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a cage first. Leave cage editing."};
-constexpr Condition can_import_shapes{
+constexpr Condition can_import_animation{
     [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a model first. Leave cage editing."};
+constexpr Condition can_import_shapes{
+    [](const Workspace& w) { return w.document.has_faces() && can_import_animation(w); },
+    "Open a model with faces first. Leave cage editing."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline().keys.empty() &&
                                                   !is_editing_cage(w.document);
@@ -121,9 +132,8 @@ void add_file_commands(CommandTable& table) {
   table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage, [](Workspace& w) {
     browse_to_save(w, Purpose::save_cage, w.document.model().path, "_cage.obj");
   });
-  table.add(
-      "save_model", "Export mesh", "Write the deformed mesh to a file.", {key('E'), true}, is_movable,
-      [](Workspace& w) { browse_to_save(w, Purpose::save_model, w.document.model().path, "_deformed.obj"); });
+  table.add("save_model", "Export mesh", "Write the deformed mesh to a file.", {key('E'), true}, is_movable,
+            [](Workspace& w) { browse_to_export(w, Purpose::save_model, "_deformed.obj", "_deformed"); });
   table.add("stop_work", {"Cancel current task", "Cancel"},
             "Cancel the current task: opening a file, making a cage or binding. The document stays as it is.",
             {Key::escape}, is_working, passing(cancel<CancelWork::Work::opening>));
@@ -163,7 +173,7 @@ void add_animation_file_commands(CommandTable& table) {
   table.add("import_animation", "Import animation",
             "Import keys from numbered files of the posed cage, a point cache (PC2, MDD) of cage or model, "
             "or animated morph targets (glTF).",
-            can_import_shapes, browse_for<Purpose::animation>);
+            can_import_animation, browse_for<Purpose::animation>);
   table.add(
       "save_animation", "Export animation",
       "Write the playback range as numbered models, a point cache (PC2, MDD) or glTF with morph targets.",

@@ -202,7 +202,7 @@ void add_tool_commands(CommandTable& table) {
       "add_pin", {"Pin vertex", "Pin"},
       "Pin the vertex under the pointer, or in the middle of the view. Drag pins to pose the model by its "
       "shapes, or rigidly.",
-      {key('P'), false, false, true}, has_probe_room, add_in_view<document::add_pin>);
+      {key('P'), false, false, true}, has_pin_room, add_in_view<document::add_pin>);
   table.add("toggle_pulls", {"Make pins soft", "Soft pins"},
             "Pull vertices softly towards the selected pins. When off, the vertices are exactly at the pins.",
             has_pins_selected,

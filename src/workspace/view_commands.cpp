@@ -68,6 +68,10 @@ constexpr Condition is_split{[](const Workspace& w) { return w.view.split.on(); 
 constexpr Condition has_map{[](const Workspace& w) { return w.view.split.views[0].shown.values != nullptr; },
                             "Choose a map first (Analysis, Map)."};
 
+constexpr Condition can_shade{[](const Workspace& w) { return w.document.model().splats == nullptr; },
+                              "Not available for captures, which have their own colours."};
+constexpr Condition can_show_edges{[](const Workspace& w) { return !has_model(w) || w.document.has_faces(); },
+                                   "Not available for captures and points, which have no edges."};
 constexpr Condition has_vertex{[](const Workspace& w) { return w.view.vertex.vertex.has_value(); },
                                "Inspect a vertex first."};
 
@@ -83,10 +87,10 @@ void show_sum_at(Workspace& w, std::uint32_t vertex) {
 
 void pick_vertex(Workspace& w) {
   const glm::vec2 at = w.view.interaction.cursor.value_or(w.view.viewport.middle());
-  const auto hit = pick_triangle(w.document, w.frame.posed, w.view.camera.ray(at, w.view.viewport));
+  const auto hit = pick_corners(w.document, w.frame.posed, w.view.camera.ray(at, w.view.viewport));
   if (!hit) return w.messages.info("Point at a vertex of the model first.");
   const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
-  show_sum_at(w, w.document.model().surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
+  show_sum_at(w, hit->corners[static_cast<std::size_t>(nearest)]);
 }
 
 }  // namespace
@@ -114,12 +118,12 @@ void add_camera_commands(CommandTable& table) {
 void add_view_commands(CommandTable& table) {
   table.heading("View");
   table.add("toggle_wireframe", {"Show wireframe", "Wireframe"}, "Show the edges of the model.",
-            {key('W'), false, true}, always, switches(&document::ViewOptions::wireframe));
-  add_choices<document::Shading>(table, "Shading", always,
+            {key('W'), false, true}, can_show_edges, switches(&document::ViewOptions::wireframe));
+  add_choices<document::Shading>(table, "Shading", can_shade,
                                  [](Workspace& w, document::Shading s) { w.view.options.shading = s; });
   table.add("next_shading", "Next shading",
             "Switch to the next shading: clay, porcelain, jade, file colours, checker, normals, stripes.",
-            {key('V')}, always,
+            {key('V')}, can_shade,
             [](Workspace& w) { w.view.options.shading = next_choice(w.view.options.shading); });
   table.add("toggle_model", {"Show model", "Model"}, "Show the model.", {key('M')}, always,
             switches(&document::ViewOptions::model));

@@ -106,7 +106,8 @@ analysis::Field shown_field(const Workspace& w, std::size_t view) {
                           ? w.document.model().surface != nullptr
                       : source == analysis::Source::matrices ? exponential
                                                              : w.document.is_movable();
-  return exists && !shows_mask(w) ? settings.field : analysis::Field::none;
+  const bool lacks_faces = analysis::entry(settings.field).needs_faces && !w.document.has_faces();
+  return exists && !lacks_faces && !shows_mask(w) ? settings.field : analysis::Field::none;
 }
 
 namespace {

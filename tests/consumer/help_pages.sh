@@ -27,7 +27,7 @@ same() { [ "$1" = "$2" ] || wrong "bash offers $1 and should offer $2"; }
 if command -v bash >/dev/null; then
   all_commands | while read -r command; do same "$(in_bash $command --)" "$(long_options_of $command)"; done
   same "$(in_bash r | tr '\n' ' ')" "render report "
-  same "$(in_bash bench s)" "sym3"
+  same "$(in_bash bench sy)" "sym3"
 fi
 if command -v fish >/dev/null; then
   fish --no-config -c 'source $argv[1]; complete -C "viete render --met"' "$data/fish/vendor_completions.d/viete.fish" |

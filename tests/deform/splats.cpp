@@ -215,6 +215,40 @@ TEST_CASE("splats_of_every_deformer_follow_the_differences_of_the_deformed_point
   }
 }
 
+TEST_CASE("parts_of_a_split_splat_have_its_covariance_and_opacity_together") {
+  Capture c = random_capture(6, 2);
+  c.splats.log_scales.assign(6, {-5, -6, -9});
+  c.splats.opacities = {-3, 0, 2, 9, 40, -40};
+  for (const auto& [factor, parts] : {std::pair(2.4, 1), std::pair(3.0, 2), std::pair(6.0, 3)}) {
+    mesh::Splats posed = c.splats;
+    for (auto& scales : posed.log_scales) scales[0] += static_cast<float>(std::log(factor));
+    const auto split = deform::split_stretched(c.splats, posed, c.centres.positions);
+    CHECK(split.split == (parts > 1 ? 6 : 0));
+    REQUIRE(split.splats.size() == 6 * std::size_t(parts));
+    CHECK(split.splats.harmonics.size() == 3 * posed.bands() * split.splats.size());
+    for (std::size_t i = 0; i < 6; ++i) {
+      Matrix sum = Matrix::Zero();
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      double through = 1;
+      const auto& middle = c.centres.positions[i];
+      for (std::size_t k = i * std::size_t(parts); k < (i + 1) * std::size_t(parts); ++k) {
+        CHECK(split.sources[k] == i);
+        const Vec3 off = split.positions[k] - middle;
+        const Eigen::Vector3d d(off[0], off[1], off[2]);
+        const Matrix part = covariance(axes_of(split.splats, k));
+        sum += (part + d * d.transpose()) / parts;
+        mean += d;
+        const double density = std::exp(-0.5 * d.dot(part.inverse() * d));
+        through *= 1 - density / (1 + std::exp(-double(split.splats.opacities[k])));
+      }
+      CHECK(relative(sum, covariance(axes_of(posed, i))) <= 1e-3);
+      CHECK(mean.norm() <= 1e-12);
+      const double opacity = 1 / (1 + std::exp(-double(c.splats.opacities[i])));
+      CHECK(1 - through == doctest::Approx(std::min(opacity, parts == 2 ? 0.8975 : 1.0)).epsilon(1e-3));
+    }
+  }
+}
+
 TEST_CASE("frames_show_the_splats_that_files_get") {
   const Capture c = random_capture(3000, 3);
   const auto cage = std::make_shared<const pose::Cage>(pose::make_cage(box()));

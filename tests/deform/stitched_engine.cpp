@@ -157,3 +157,39 @@ TEST_CASE("stitched_frames_run_every_method_and_time_their_stages") {
     CHECK(times[stage] > 0);
   CHECK(times[Stage::fused] == 0);
 }
+
+TEST_CASE("a_cloud_is_stitched_like_the_surface_of_its_points_and_each_point_by_itself") {
+  const auto model = stitched_model(), cage = tube(9, 7, 0.8, 4.4);
+  mesh::Surface cloud, some;
+  cloud.positions = model.positions;
+  cloud.positions.push_back({0.5, 0.2, 30});  // far from the lattice
+  for (std::size_t v = 0; v < cloud.positions.size(); v += 5) some.positions.push_back(cloud.positions[v]);
+  Deformer deformer = deformer_of(Preset::arap);
+  for (deformer.iterations = 1; deformer.iterations <= 2; ++deformer.iterations) {
+    Frames f(cloud, cage, deformer), of_some(some, cage, deformer), surface(model, cage, deformer);
+    const double diagonal = f.staged.cage->diagonal;
+    const Affine map = similarity({1, -2, 3}, 150 * degree, 2, {3, 4, 5});
+    CHECK(largest_distance(f.deform(f.staged.pose(map)), mapped(cloud.positions, map)) < 1e-5 * diagonal);
+    const Pose pose = f.staged.pose(stitched_twist);
+    auto exact = f.deform(pose);
+    const auto alone = of_some.deform(pose);
+    for (std::size_t i = 0; i < alone.size(); ++i) CHECK(norm(alone[i] - exact[5 * i]) < 1e-12 * diagonal);
+    exact.pop_back();
+    CHECK(largest_distance(exact, surface.deform(pose)) < 0.03 * diagonal);
+  }
+}
+
+TEST_CASE("masks_and_shapes_act_on_stitched_clouds") {
+  mesh::Surface cloud;
+  cloud.positions = stitched_model().positions;
+  Frames f(cloud, tube(9, 7, 0.8, 4.4), deformer_of(Preset::arap));
+  const Pose pose = f.staged.pose(stitched_twist);
+  auto shape = cloud.positions;
+  for (auto& p : shape) p = {1.1 * p[0], 0.9 * p[1], p[2]};
+  f.set_shape(std::make_shared<const std::vector<mesh::Point>>(shape));
+  CHECK(all_finite(f.deform(pose)));
+  CHECK(largest_distance(f.deform(rest_pose(*f.staged.cage)), shape) < 1e-3);
+  f.set_shape(nullptr);
+  f.set_mask(std::make_shared<const std::vector<float>>(cloud.positions.size(), 0.0f));
+  CHECK(largest_distance(f.deform(pose), cloud.positions) < 0.02);
+}

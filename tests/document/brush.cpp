@@ -105,3 +105,26 @@ TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {
   const Ray aside{view({c[0] + 5, c[1] + 0.02, box.high[2] + 10}), {0, 0, -1}};
   CHECK(pick_model(d, {posed, {0, 0, 0}}, aside));
 }
+
+TEST_CASE("a_ray_meets_the_first_point_near_it_and_no_faint_splat") {
+  mesh::Surface points;
+  auto splats = std::make_shared<mesh::Splats>();
+  for (int layer = 0; layer < 2; ++layer)
+    for (int i = 0; i < 400; ++i) points.positions.push_back({i % 20 + 0.0, i / 20 + 0.0, 5.0 * layer});
+  splats->resize(800);
+  OpenedSurface opened = generated_surface(std::move(points), "points");
+  const auto vertex = [&](const mesh::Point& from) {
+    const Document d(opened);
+    const auto hit = pick_corners(d, {}, {glm::dvec3(d.space().to_view(from)), {0, 0, -1}});
+    return hit ? std::optional(hit->corners[0]) : std::nullopt;
+  };
+  CHECK(vertex({3.1, 7.2, 9}) == 400 + 7 * 20 + 3);
+  CHECK(vertex({3.5, 7.4, 9}));  // without gaps
+  CHECK(vertex({3.1, 7.2, 4}) == 7 * 20 + 3);
+  CHECK_FALSE(vertex({3.1, 7.2, -1}));
+  CHECK_FALSE(vertex({23, 7, 9}));
+  opened.splats = splats;
+  CHECK(vertex({3.1, 7.2, 9}) == 400 + 7 * 20 + 3);
+  for (std::size_t i = 400; i < 800; ++i) splats->opacities[i] = -4;
+  CHECK(vertex({3.1, 7.2, 9}) == 7 * 20 + 3);
+}

@@ -1,7 +1,10 @@
 // Captures (Gaussian splats) and point sets in the view.
+#include "formats/read.h"
+#include "program/command_line.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
 #include "workspace/apply_opened.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -182,4 +185,135 @@ TEST_CASE("points_of_a_file_are_drawn_with_their_colors") {
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)
     blue += image.rgba[i] < 10 && image.rgba[i + 1] < 10 && image.rgba[i + 2] > 250 ? 1 : 0;
   CHECK(blue > 400 * 10);
+}
+
+TEST_CASE("an_opened_capture_follows_the_mouse_and_its_export_is_that_of_viete_deform") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"capture.ply", "capture.spz"}) {
+    INFO(name);
+    const document::OpenedSurface ball = capture_of_ball(3);
+    const mesh::Surface& points = *ball.surface;
+    formats::write(folder / name, {points, points.positions, {}, nullptr, ball.splats.get()}, nullptr, {});
+    formats::write(folder / "cage.obj", test::ball(1.2, 1));
+    Driver d(test::small_options());
+    REQUIRE(d.open({folder / name, folder / "cage.obj"}));
+    d.settle();
+    const std::uint32_t v = d.free_vertex();
+    d.drag(d.vertex(v), d.vertex(v) + glm::vec2(40, 25));
+    d.settle();
+    REQUIRE(d.moved().size() == 1);
+    const auto proposed = [&](const char* command) {
+      d.run(command);
+      d.workspace().files.browser.open = false;
+      d.frame();
+      return std::filesystem::path(d.workspace().files.browser.suggested);
+    };
+    CHECK(proposed("save_model").extension() == std::filesystem::path(name).extension());
+    d.run("set_key");
+    CHECK(proposed("save_animation") == "capture_####" + std::filesystem::path(name).extension().string());
+    const auto posed = folder / (std::string("posed_") + name), deformed = folder / name;
+    d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, posed);
+    d.frame();
+    REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+    REQUIRE(workspace::save_session(d.workspace(), folder / "s.viete"));
+    const auto same = folder / (std::string("same_") + name);
+    const test::Outcome outcome =
+        test::run("deform " + test::quoted(folder / "s.viete") + " -o " + test::quoted(same));
+    INFO(outcome.text);
+    CHECK(outcome.code == 0);
+    CHECK(test::file_bytes(same) == test::file_bytes(posed));
+    CHECK(test::file_bytes(posed) != test::file_bytes(folder / name));
+  }
+}
+
+TEST_CASE("splats_under_the_mouse_are_inspected_painted_and_probed") {
+  Scene scene(capture_of_ball(4));
+  auto& w = scene.d.workspace();
+  w.view.options.panels = true;
+  scene.look(0);
+  scene.d.settle();
+  const glm::vec2 middle = w.view.viewport.middle();
+  const auto& positions = w.document.model().surface->positions;
+  const mesh::Point toward = w.document.space().to_file(glm::dvec3(w.view.camera.eye()));
+  const auto is_in_front = [&](const mesh::Point& p) {
+    return mesh::dot(p, toward) > 0.99 * mesh::norm(p) * mesh::norm(toward);
+  };
+  scene.d.move(middle);
+  scene.d.run("pick_vertex");
+  REQUIRE(w.view.vertex.vertex);
+  CHECK(is_in_front(positions[*w.view.vertex.vertex]));
+  scene.d.run("add_probe");
+  REQUIRE(w.document.probes().all.size() == 1);
+  CHECK(is_in_front(w.document.probes().all[0].place));
+  scene.d.run("tool_paint");
+  scene.d.drag(middle, middle + glm::vec2(3, 0));
+  REQUIRE(w.document.mask());
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if ((*w.document.mask())[v] == 0) CHECK(mesh::dot(positions[v], toward) > 0);
+}
+
+TEST_CASE("maps_of_surfaces_are_not_available_for_captures_and_maps_of_matrices_are_complete") {
+  Scene scene(capture_of_ball(3));
+  auto& w = scene.d.workspace();
+  w.document.put_mask(
+      std::make_shared<const std::vector<float>>(w.document.model().surface->positions.size(), 0.5F));
+  for (mesh::Point& p : w.document.changed_pose().positions) p[1] *= 1.3;
+  using analysis::Field;
+  for (const Field field :
+       {Field::volume, Field::gap, Field::exp_error, Field::frame_error, Field::displacement}) {
+    INFO(base::entry_of(field).word);
+    w.view.options.field = field;
+    scene.d.settle();
+    scene.d.viewer().finish_views();
+    scene.d.frame(3);
+    const auto& shown = w.view.split.views[0].shown;
+    REQUIRE(shown.values);
+    CHECK(shown.values->size() == w.document.model().surface->positions.size());
+  }
+  CHECK(w.view.split.views[0].shown.stats.most > 0.01);
+  for (const Field field : {Field::area, Field::energy, Field::signed_difference}) {
+    w.view.options.field = field;
+    CHECK(workspace::shown_field(w) == Field::none);
+  }
+  w.view.options.field = Field::none;
+}
+
+TEST_CASE("commands_that_need_faces_are_disabled_for_captures") {
+  Scene scene(capture_of_ball(3));
+  const auto& w = scene.d.workspace();
+  for (const char* command :
+       {"add_pin", "import_shapes", "toggle_wireframe", "shading_zebra", "next_shading"})
+    CHECK_FALSE(workspace::find_command(command)->enabled(w));
+  for (const char* command : {"add_probe", "tool_paint", "save_model", "pick_vertex", "import_animation"})
+    CHECK(workspace::find_command(command)->enabled(w));
+}
+
+TEST_CASE("a_probe_without_a_cage_turns_splats_in_the_view_and_in_the_export") {
+  const test::TemporaryFolder folder;
+  const document::OpenedSurface ball = capture_of_ball(3);
+  const mesh::Surface& points = *ball.surface;
+  formats::write(folder / "capture.ply", {points, points.positions, {}, nullptr, ball.splats.get()}, nullptr,
+                 {});
+  Driver d(test::small_options(), test::with_pixels);
+  REQUIRE(d.open({folder / "capture.ply"}));
+  d.run("add_probe");
+  d.workspace().view.options.panels = d.workspace().view.options.cage = false;
+  d.settle();
+  const render::Image before = d.picture();
+  auto& pose = d.document().changed_probes().all[0].pose;
+  pose.turn = {0, 0, 1};
+  pose.move = {0, 0.3, 0};
+  d.settle();
+  CHECK(test::difference(d.picture(), before, 30) > 0.001);
+  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, folder / "posed.ply");
+  d.frame();
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  const formats::ReadResult posed = formats::read(folder / "posed.ply");
+  REQUIRE(posed.splats);
+  const auto& rotations = posed.splats->rotations;
+  std::size_t turned = 0;
+  for (std::size_t v = 0; v < rotations.size(); ++v)
+    turned += rotations[v] != ball.splats->rotations[v] ? 1 : 0;
+  CHECK(turned > rotations.size() / 100);
+  CHECK(turned < rotations.size());
 }

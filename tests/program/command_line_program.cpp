@@ -262,6 +262,8 @@ TEST_CASE("info_describes_the_splats_of_a_capture") {
   CHECK(mentions(outcome, "  splats      2, harmonics of degree 1\n"));
   CHECK(mentions(outcome, "  opacity     below 0.05 in 50 % of the splats\n"));
   CHECK(mentions(outcome, "  up          -y in most captures\n"));
+  for (const char* of_faces : {"polygons", "surface", "topology", "area"})
+    CHECK_FALSE(mentions(outcome, "  " + std::string(of_faces) + " "));
   CHECK_FALSE(mentions(outcome, "cannot be deformed"));
 }
 

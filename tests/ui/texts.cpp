@@ -33,6 +33,28 @@ TEST_CASE("panels_show_the_size_of_surfaces_and_of_the_selection") {
   for (const char* widget : {"bend", "save_set", "transform_x"}) CHECK(d.recorder().find(widget)->enabled);
 }
 
+TEST_CASE("panels_name_splats_and_points_instead_of_triangles") {
+  for (const bool capture : {true, false}) {
+    mesh::Surface surface;
+    surface.positions = test::ball(1, 2).positions;
+    document::OpenedSurface points = document::generated_surface(std::move(surface), "points");
+    auto splats = std::make_shared<mesh::Splats>();
+    splats->resize(162);
+    if (capture) points.splats = splats;
+    workspace::Workspace w;
+    w.document = document::Document(std::move(points));
+    w.preferences.layout.sections["Model"] = true;
+    w.view.options.field = analysis::Field::area;
+    PanelDriver d(std::move(w));
+    CHECK(d.says(capture ? "Model capture 162 Splats" : "Model points 162 Points"));
+    CHECK_FALSE(d.says("triangles"));
+    for (const char* section : {"Analysis", "Map"}) d.workspace().preferences.layout.sections[section] = true;
+    d.frame(3);
+    d.place_of("map");
+    CHECK(d.says("this map needs a model with faces"));
+  }
+}
+
 TEST_CASE("a_hint_names_the_key_of_the_keymap_and_the_reason_for_a_disabled_command") {
   PanelDriver d;
   CHECK(test::mentions(hint_at(d, "method_sd"), "eigenvalues by QR. (Shift+2)"));

@@ -231,14 +231,9 @@ TEST_CASE("surface_weights_have_the_same_bits_for_any_number_of_threads") {
     CHECK(solved_weights(model, cage, weighting, 1) == solved_weights(model, cage, weighting, 3));
 }
 
-TEST_CASE("models_without_triangles_are_refused_and_solving_can_be_cancelled") {
-  mesh::Surface points;
-  points.positions = wavy_sphere(8, 8).positions;
+TEST_CASE("solving_for_surface_weights_can_be_cancelled") {
   const Cage cage = make_cage(box({2, 2, 2}));
   base::WorkerPool pool(1);
-  CHECK_THROWS_WITH_AS(bind(points, cage, harmonics, pool), doctest::Contains("the model has no triangles"),
-                       base::Error);
-  CHECK_THROWS_AS(bind_tiles(points, cage, biharmonics, pool), base::Error);
   for (const auto& weighting : {harmonics, biharmonics}) {
     base::Progress progress;
     bind(wavy_sphere(8, 8), cage, weighting, pool, &progress);
