@@ -31,6 +31,9 @@ file(APPEND ${TO}.part ".SH ENVIRONMENT
 .TP
 .B XDG_STATE_HOME
 Absolute path of the folder for unsaved edits; ~/.local/state by default.
+.TP
+.B VIETE_IMPORT
+The program that reads FBX, Collada and other files; by default viete-import beside viete or in PATH.
 .SH FILES
 .TP
 .I ~/.local/state/viete

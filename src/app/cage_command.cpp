@@ -13,8 +13,9 @@
 #include "cages/capture.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
+#include "foreign/kinds.h"
+#include "foreign/read.h"
 #include "formats/format_table.h"
-#include "formats/read.h"
 #include "formats/write.h"
 
 namespace viete::app {
@@ -79,7 +80,7 @@ int make_cage(const CageOptions& options) {
   FilesInUse read;
   read.add(options.model, document::the_model);
   check_output(options.output.file, Content::surface, read, options.output.force);
-  const formats::ReadResult model = formats::read(options.model);
+  const formats::ReadResult model = foreign::read(options.model);
   files::add_surface(read, options.model, model.original.get(), model.attributes.get(), document::the_model);
   check_output(options.output.file, Content::surface, read, options.output.force);
   print_notes(model.warnings);
@@ -114,7 +115,7 @@ void add_cage_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("cage", "Make a cage around a mesh");
   auto o = std::make_shared<CageOptions>();
   cages::Wish& wish = o->wish;
-  command->add_option("MODEL", o->model, formats::a_mesh())->required();
+  command->add_option("MODEL", o->model, foreign::a_mesh())->required();
   add_file_option(*command, "-o,--output", o->output.file,
                   "Mesh file to write; the extension sets the format")
       ->required();

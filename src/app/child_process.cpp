@@ -1,10 +1,5 @@
 #include "app/child_process.h"
 
-#include <charconv>
-#include <chrono>
-#include <sstream>
-#include <thread>
-
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/os.h"
@@ -13,33 +8,6 @@
 namespace viete::app {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// The output of a child process: the progress from lines such as "37 %", and all other lines.
-struct ChildOutput {
-  double done = 0;
-  std::vector<std::string> lines;
-};
-
-ChildOutput output_of(const base::ChildProgram& child) {
-  ChildOutput output;
-  std::istringstream text(child.said());
-  for (std::string line; std::getline(text, line);) {
-    int percent = 0;
-    const auto [end, problem] = std::from_chars(line.data(), line.data() + line.size(), percent);
-    if (problem == std::errc() && std::string_view(end) == " %") {
-      output.done = 0.01 * percent;
-    } else if (!line.empty()) {
-      for (const std::string_view head : {"viete: ", "note: "})
-        if (line.starts_with(head)) line.erase(0, head.size());
-      output.lines.push_back(line);
-    }
-  }
-  return output;
-}
-
-}  // namespace
 
 ScratchFolder::ScratchFolder()
     : path_(base::unused_name(fs::temp_directory_path() / ("viete-" + base::process_name()))) {
@@ -57,19 +25,8 @@ ScratchFolder::~ScratchFolder() {
 }
 
 std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress) {
-  constexpr auto look_again = std::chrono::milliseconds(50);
   base::ChildProgram child(words, "start this program again", {"VIETE_PROGRESS=1"});
-  try {
-    while (child.running()) {
-      std::this_thread::sleep_for(look_again);
-      progress.report(output_of(child).done);
-    }
-  } catch (const base::Cancelled&) {
-    child.stop();
-    while (child.running()) std::this_thread::sleep_for(look_again);
-    throw;
-  }
-  std::vector<std::string> lines = output_of(child).lines;
+  std::vector<std::string> lines = child.follow(progress);
   try {
     child.finish();
   } catch (const base::Error&) {

@@ -14,7 +14,7 @@
 #include "base/text.h"
 #include "document/checks.h"
 #include "document/elements.h"
-#include "formats/format_table.h"
+#include "foreign/kinds.h"
 
 namespace viete::app {
 
@@ -129,8 +129,7 @@ void add_info_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("info", "Show the properties and defects of meshes");
   auto files = std::make_shared<std::vector<fs::path>>();
   auto cage = std::make_shared<fs::path>();
-  command->add_option("FILE", *files,
-                      formats::format_names(formats::holds_surface) + " files (default: the bundled dragon)");
+  command->add_option("FILE", *files, foreign::model_formats() + " files (default: the bundled dragon)");
   add_file_option(*command, "--cage", *cage, "Cage to check together with the meshes");
   add_examples(*command, {"info model.obj", "info model.obj --cage cage.obj"});
   command->callback([files, cage, &action] {

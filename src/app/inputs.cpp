@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/format_table.h"
+#include "foreign/kinds.h"
 
 namespace viete::app {
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void add_files(CLI::App& app, Inputs& inputs) {
-  auto* model = add_file_option(app, "MODEL", inputs.model, formats::a_mesh() + " or session (.viete)");
+  auto* model = add_file_option(app, "MODEL", inputs.model, foreign::a_mesh() + " or session (.viete)");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage at rest");
   add_file_option(app, "--model", inputs.located.model, "Model that replaces the model of the session");

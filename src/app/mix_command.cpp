@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "document/animation.h"
 #include "document/document_state.h"
-#include "formats/format_table.h"
+#include "foreign/kinds.h"
 
 namespace viete::app {
 
@@ -99,7 +99,7 @@ int write_mix(MixOptions options) {
 void add_mix_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("mix", "Combine weighted shapes of a model");
   auto o = std::make_shared<MixOptions>();
-  command->add_option("REST", o->rest, formats::a_mesh())->required();
+  command->add_option("REST", o->rest, foreign::a_mesh())->required();
   command
       ->add_option_function<std::vector<std::string>>(
           "--shape",

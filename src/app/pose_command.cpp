@@ -11,7 +11,7 @@
 #include "app/inputs.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "formats/format_table.h"
+#include "foreign/kinds.h"
 #include "shapes/example_posing.h"
 
 namespace viete::app {
@@ -144,7 +144,7 @@ int write_pose(const PoseOptions& options) {
 void add_pose_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("pose", "Pose a model by pinned vertices and example shapes");
   auto o = std::make_shared<PoseOptions>();
-  command->add_option("REST", o->rest, formats::a_mesh())->required();
+  command->add_option("REST", o->rest, foreign::a_mesh())->required();
   command
       ->add_option("--examples", o->examples,
                    "Example shapes: meshes, numbered meshes (pose_##.obj), point cache or glTF morph "

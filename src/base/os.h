@@ -48,6 +48,12 @@ std::tm universal_time(std::time_t time);
 bool is_terminal(std::FILE* file);
 /// Turns off the translation of line ends.
 void make_binary(std::FILE* file);
+/// Returns the standard output for bytes of this program; closes at the end. From now on, what libraries
+/// print to the standard output goes to the standard error. Call once, before the first output.
+std::FILE* reserve_output();
+/// Limits this process: beyond `bytes` of address space, allocations fail; after `seconds` of processor time,
+/// the process ends. Its files cannot be larger than `bytes`, and a crash does not write a core file.
+void limit_process(double bytes, unsigned seconds);
 
 // ---------------------------------------------------------------- machine
 
@@ -96,13 +102,14 @@ struct StartFailure {
   bool limit = false;    ///< the limit on processes is reached
 };
 
-/// A child process in its own process group. Its standard input is empty and its standard output is
-/// discarded.
+/// A child process in its own process group. Its standard input is empty. Its standard output is kept in
+/// memory or discarded.
 class Child {
 public:
   /// Searches PATH for the program words[0]. Adds `variables` ("NAME=value") to the environment. Throws
   /// StartFailure.
-  Child(const std::vector<std::string>& words, const std::vector<std::string>& variables);
+  Child(const std::vector<std::string>& words, const std::vector<std::string>& variables,
+        bool keeps_output = false);
   /// Kills the process and its children.
   ~Child();
   Child(const Child&) = delete;
@@ -115,6 +122,8 @@ public:
   void ask_to_end();
   /// The first `most` bytes of the standard error.
   std::string errors(std::size_t most) const;
+  /// The standard output; empty if it is discarded.
+  std::string output() const;
 
 private:
   struct State;

@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <spawn.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/utsname.h>
 #include <sys/wait.h>
@@ -120,6 +121,28 @@ bool is_terminal(std::FILE* file) {
 
 void make_binary(std::FILE*) {}
 
+std::FILE* reserve_output() {
+  std::FILE* const file = fdopen(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3), "wb");
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  return file;
+}
+
+// The address sanitizer reserves more address space than any limit.
+void limit_process(double bytes, unsigned seconds) {
+  const auto limit = [](auto resource, double most) {
+    rlimit limits{};
+    getrlimit(resource, &limits);
+    limits.rlim_cur = std::min(static_cast<rlim_t>(most), limits.rlim_max);
+    setrlimit(resource, &limits);
+  };
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, seconds);
+  limit(RLIMIT_FSIZE, bytes);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  limit(RLIMIT_AS, bytes);
+#endif
+}
+
 // ---------------------------------------------------------------- machine
 
 std::string system_name() {
@@ -230,11 +253,14 @@ struct SpawnSettings {
   posix_spawn_file_actions_t files{};
   posix_spawnattr_t attributes{};
 
-  explicit SpawnSettings(int errors) {
+  SpawnSettings(int output, int errors) {
     posix_spawn_file_actions_init(&files);
     posix_spawnattr_init(&attributes);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    if (output >= 0)
+      posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+    else
+      posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
     sigset_t none;
     sigemptyset(&none);
@@ -257,10 +283,10 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
   return all;
 }
 
-// An unnamed file for the errors of a child.
-int errors_file() {
+// An unnamed file for the output or the errors of a child.
+int unnamed_file() {
 #if defined(__linux__)
-  return memfd_create("errors", MFD_CLOEXEC);
+  return memfd_create("output", MFD_CLOEXEC);
 #else
   std::string name = (fs::temp_directory_path() / "viete-XXXXXX").string();
   const int file = mkstemp(name.data());
@@ -276,21 +302,24 @@ int errors_file() {
 
 struct Child::State {
   pid_t process = 0;
-  int errors = errors_file();
+  int errors = unnamed_file(), output = -1;
   std::optional<int> status;  // set after the process has ended
   ~State() {
-    if (errors >= 0) close(errors);
+    for (const int file : {errors, output})
+      if (file >= 0) close(file);
   }
 };
 
-Child::Child(const std::vector<std::string>& words, const std::vector<std::string>& variables)
+Child::Child(const std::vector<std::string>& words, const std::vector<std::string>& variables,
+             bool keeps_output)
     : state_(std::make_unique<State>()) {
-  if (state_->errors < 0) throw StartFailure{std::strerror(errno)};
+  if (keeps_output) state_->output = unnamed_file();
+  if (state_->errors < 0 || (keeps_output && state_->output < 0)) throw StartFailure{std::strerror(errno)};
   std::vector<char*> environment = pointers(variables);
   environment.pop_back();
   for (char** variable = environ; *variable; ++variable) environment.push_back(*variable);
   environment.push_back(nullptr);
-  const SpawnSettings settings(state_->errors);
+  const SpawnSettings settings(state_->output, state_->errors);
   const int code = posix_spawnp(&state_->process, words.front().c_str(), &settings.files,
                                 &settings.attributes, pointers(words).data(), environment.data());
   if (code != 0) throw StartFailure{std::strerror(code), code == ENOENT, code == EAGAIN};
@@ -322,11 +351,28 @@ void Child::ask_to_end() {
   if (state_->process > 0) kill(state_->process, SIGTERM);
 }
 
-std::string Child::errors(std::size_t most) const {
+namespace {
+
+// Returns the first `most` bytes of a file. (One call of pread() reads at most 2 GB.)
+std::string beginning_of(int file, std::size_t most) {
   std::string text(most, '\0');
-  const ssize_t got = pread(state_->errors, text.data(), text.size(), 0);
-  text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  std::size_t size = 0;
+  for (ssize_t got = 1; got > 0 && size<most; size += got> 0 ? static_cast<std::size_t>(got) : 0)
+    got = pread(file, text.data() + size, most - size, static_cast<off_t>(size));
+  text.resize(size);
   return text;
+}
+
+}  // namespace
+
+std::string Child::errors(std::size_t most) const {
+  return beginning_of(state_->errors, most);
+}
+
+std::string Child::output() const {
+  struct stat status {};
+  if (state_->output < 0 || fstat(state_->output, &status) != 0) return "";
+  return beginning_of(state_->output, static_cast<std::size_t>(status.st_size));
 }
 
 bool run_and_wait(const std::vector<std::string>& words) {

@@ -279,12 +279,12 @@ Handle open_inheritable(const fs::path& file, DWORD access, DWORD disposition, D
   return Handle(CreateFileW(file.c_str(), access, share_all, &inherit, disposition, flags, nullptr));
 }
 
-// A file for the errors of a child. It disappears when it is closed.
-Handle errors_file() {
+// A file for the output or the errors of a child. It disappears when it is closed.
+Handle unnamed_file() {
   static std::atomic<int> number = 0;
   std::error_code ignored;
   const fs::path file = fs::temp_directory_path(ignored) / ("viete-" + std::to_string(process_id()) + "-" +
-                                                            std::to_string(number++) + ".errors");
+                                                            std::to_string(number++) + ".output");
   return open_inheritable(file, GENERIC_READ | GENERIC_WRITE, CREATE_ALWAYS,
                           FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE);
 }
@@ -334,17 +334,20 @@ std::wstring end_event_name(DWORD process) {
 }  // namespace
 
 struct Child::State {
-  Handle errors = errors_file(), job{CreateJobObjectW(nullptr, nullptr)}, process;
+  Handle errors = unnamed_file(), output, job{CreateJobObjectW(nullptr, nullptr)}, process;
 };
 
-Child::Child(const std::vector<std::string>& words, const std::vector<std::string>& variables)
+Child::Child(const std::vector<std::string>& words, const std::vector<std::string>& variables,
+             bool keeps_output)
     : state_(std::make_unique<State>()) {
+  if (keeps_output) state_->output = unnamed_file();
   JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
   limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
   SetInformationJobObject(state_->job.get(), JobObjectExtendedLimitInformation, &limits, sizeof limits);
   const Handle nothing = open_inheritable(L"NUL", GENERIC_READ | GENERIC_WRITE, OPEN_EXISTING, 0);
-  state_->process = start(words, {nothing.get(), nothing.get(), state_->errors.get()},
-                          CREATE_NEW_PROCESS_GROUP | CREATE_NO_WINDOW, state_->job.get(), variables);
+  state_->process =
+      start(words, {nothing.get(), (keeps_output ? state_->output : nothing).get(), state_->errors.get()},
+            CREATE_NEW_PROCESS_GROUP | CREATE_NO_WINDOW, state_->job.get(), variables);
   if (state_->process) return;
   const std::error_code code = last_error();
   throw StartFailure{code.message(), code == std::errc::no_such_file_or_directory,
@@ -371,14 +374,30 @@ void Child::ask_to_end() {
     TerminateProcess(state_->process.get(), 1);
 }
 
-std::string Child::errors(std::size_t most) const {
-  std::string text(most, '\0');
+namespace {
+
+// Returns the first `most` bytes of a file, at most 4 GB.
+std::string beginning_of(const Handle& file, std::uint64_t most) {
+  std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(most, MAXDWORD)), '\0');
   OVERLAPPED begin{};
   DWORD got = 0;
-  (void)ReadFile(state_->errors.get(), text.data(), static_cast<DWORD>(most), &got, &begin);
+  (void)ReadFile(file.get(), text.data(), static_cast<DWORD>(text.size()), &got, &begin);
   text.resize(got);
+  return text;
+}
+
+}  // namespace
+
+std::string Child::errors(std::size_t most) const {
+  std::string text = beginning_of(state_->errors, most);
   std::erase(text, '\r');
   return text;
+}
+
+std::string Child::output() const {
+  LARGE_INTEGER size{};
+  if (!state_->output || !GetFileSizeEx(state_->output.get(), &size)) return "";
+  return beginning_of(state_->output, static_cast<std::uint64_t>(size.QuadPart));
 }
 
 bool run_and_wait(const std::vector<std::string>& words) {

@@ -4,8 +4,10 @@
 #include <charconv>
 #include <chrono>
 #include <mutex>
+#include <sstream>
 #include <thread>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -58,7 +60,7 @@ ForkDelay::~ForkDelay() {
 
 namespace {
 
-constexpr int look_again_ms = 20;
+constexpr int look_again_ms = 10;
 
 // Joins lines: "this; that".
 std::string in_one_line(const std::string& lines) {
@@ -73,13 +75,36 @@ std::string in_one_line(const std::string& lines) {
   return text;
 }
 
+// The output of a child process: the progress from lines such as "37 %", and all other lines.
+struct ChildOutput {
+  double done = 0;
+  std::vector<std::string> lines;
+};
+
+ChildOutput output_of(const ChildProgram& child) {
+  ChildOutput output;
+  std::istringstream text(child.said());
+  for (std::string line; std::getline(text, line);) {
+    int percent = 0;
+    const auto [end, problem] = std::from_chars(line.data(), line.data() + line.size(), percent);
+    if (problem == std::errc() && std::string_view(end) == " %") {
+      output.done = 0.01 * percent;
+    } else if (!line.empty()) {
+      for (const std::string_view head : {"viete: ", "note: "})
+        if (line.starts_with(head)) line.erase(0, head.size());
+      output.lines.push_back(line);
+    }
+  }
+  return output;
+}
+
 }  // namespace
 
 ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::string& advice,
-                           const std::vector<std::string>& variables)
+                           const std::vector<std::string>& variables, bool keeps_output)
     : name_(words.front()) {
   try {
-    child_ = std::make_unique<os::Child>(words, variables);
+    child_ = std::make_unique<os::Child>(words, variables, keeps_output);
   } catch (const os::StartFailure& failure) {
     if (failure.limit)
       throw Error(name_, "cannot be run: the limit on processes is reached",
@@ -87,6 +112,22 @@ ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::str
     throw Error(name_, failure.missing ? "this program is not installed" : "cannot be run: " + failure.reason,
                 advice);
   }
+}
+
+std::vector<std::string> ChildProgram::follow(Progress& progress, double most_seconds) {
+  constexpr auto look_again = std::chrono::milliseconds(look_again_ms);
+  const double start = wall_seconds();
+  try {
+    while (running() && wall_seconds() - start < most_seconds) {
+      std::this_thread::sleep_for(look_again);
+      progress.report(output_of(*this).done);
+    }
+  } catch (const Cancelled&) {
+    stop();
+    while (running()) std::this_thread::sleep_for(look_again);
+    throw;
+  }
+  return output_of(*this).lines;
 }
 
 void ChildProgram::finish() {

@@ -9,7 +9,7 @@
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
-#include "formats/format_table.h"
+#include "foreign/kinds.h"
 #include "sym3/kernel.h"
 
 namespace viete::bench {
@@ -68,7 +68,7 @@ std::shared_ptr<ModelOptions> add_model_bench(CLI::App& command, std::size_t rou
   auto shared = std::make_shared<ModelOptions>();
   ModelOptions& options = *shared;
   options.rounds = rounds;
-  add_file_option(command, "MODEL", options.model, formats::a_mesh())->default_str("the bundled dragon");
+  add_file_option(command, "MODEL", options.model, foreign::a_mesh())->default_str("the bundled dragon");
   add_file_option(command, "CAGE", options.cage, "Cage at rest")->default_str(usual_cage);
   whole_in_range(
       command.add_option("--rounds", options.rounds, "Number of times to repeat every measurement"), 1, 1000)

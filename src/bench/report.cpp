@@ -12,7 +12,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "bench/page.h"
-#include "formats/format_table.h"
+#include "foreign/kinds.h"
 
 namespace viete::bench {
 
@@ -116,7 +116,7 @@ void add_report_command(CLI::App& app, app::Action& action) {
   auto* command = app.add_subcommand("report", app::report_text);
   auto options = std::make_shared<ReportOptions>();
   auto& files = options->files;
-  app::add_file_option(*command, "MODEL", files.model, formats::a_mesh())->default_str("the bundled dragon");
+  app::add_file_option(*command, "MODEL", files.model, foreign::a_mesh())->default_str("the bundled dragon");
   app::add_file_option(*command, "CAGE", files.cage, "Cage at rest")->default_str("the dragon's cage");
   command->add_option("POSE", files.poses, "Posed cages (same vertices, same order)")
       ->default_str("the dragon's poses, or one generated pose");

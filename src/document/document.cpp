@@ -6,8 +6,8 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "document/range.h"
+#include "foreign/read.h"
 #include "formats/format_table.h"
-#include "formats/read.h"
 #include "formats/text_cursor.h"
 #include "formats/write.h"
 #include "mesh/triangle.h"
@@ -118,7 +118,7 @@ OpenedSurface generated_surface(mesh::Surface surface, std::string made) {
 }
 
 OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress) {
-  formats::ReadResult read = formats::read(path, progress);
+  formats::ReadResult read = foreign::read(path, progress);
   OpenedSurface opened;
   opened.path = path;
   opened.format = std::move(read.format);

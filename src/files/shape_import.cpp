@@ -6,9 +6,10 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "foreign/kinds.h"
+#include "foreign/read.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
-#include "formats/read.h"
 #include "mesh/normals.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
@@ -141,7 +142,7 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
 MorphPositions morphs_of(const std::filesystem::path& file, const PosedSurface& of,
                          std::vector<std::string>& warnings) {
   constexpr bool played = true;
-  const formats::ReadResult read = formats::read(file, nullptr, played);
+  const formats::ReadResult read = foreign::read(file, nullptr, played);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
   MorphPositions found{read.original ? read.original->morphs() : nullptr, {}};
   if (!found.clip) return found;
@@ -185,7 +186,8 @@ public:
     if (base::NumberedName::is_pattern(file)) return add_sequence(base::NumberedName(file));
     all_.files.push_back(file);
     if (formats::point_cache_format(file)) return add_cache(file);
-    if (formats::is_a(formats::holds_morphs, file) && add_morphs(file)) return;
+    const bool may_have_morphs = formats::is_a(formats::holds_morphs, file) || foreign::kind_of(file);
+    if (may_have_morphs && add_morphs(file)) return;
     add_model(file);
   }
 
@@ -247,13 +249,13 @@ private:
   }
 
   void add_model(const fs::path& file) {
-    const formats::ReadResult read = formats::read(file);
+    const formats::ReadResult read = foreign::read(file);
     all_.warnings.insert(all_.warnings.end(), read.warnings.begin(), read.warnings.end());
     put(file.string(), file.stem().string(), in_order(file.string(), read));
   }
 
   std::vector<mesh::Point> in_order(const std::string& file, const formats::ReadResult& read) {
-    const bool keeps_order = formats::format_of_description(read.format)->keeps_order;
+    const bool keeps_order = formats::describes(formats::keeps_order, read.format);
     const auto order = mesh::vertex_order(read.surface, model_, keeps_order);
     if (!order)
       throw base::Error(file, mesh::first_difference(read.surface, model_, "the model"),

@@ -138,12 +138,13 @@ std::string format_extensions(bool (*is)(const Format&), std::string_view last) 
   return listing(is, ".", &Format::extension, last);
 }
 
-std::string a_mesh() {
-  return "Mesh (" + format_names(holds_surface, ", ") + ")";
-}
-
 bool is_a(bool (*is)(const Format&), const std::filesystem::path& file) {
   const Format* found = find_format(file);
+  return found && is(*found);
+}
+
+bool describes(bool (*is)(const Format&), std::string_view description) {
+  const Format* found = format_of_description(description);
   return found && is(*found);
 }
 

@@ -72,8 +72,6 @@ const Format* format_of_description(std::string_view description);
 std::string format_names(bool (*is)(const Format&), std::string_view last = " or ");
 /// Returns the extensions of the formats that satisfy `is`: ".obj, .ply or .off".
 std::string format_extensions(bool (*is)(const Format&), std::string_view last = " or ");
-/// Returns the text for a mesh argument in the command-line help: "Mesh (OBJ, PLY, OFF, STL, glTF)".
-std::string a_mesh();
 
 constexpr bool holds_surface(const Format& f) {
   return f.read != nullptr;
@@ -93,5 +91,7 @@ constexpr bool is_sequence(const Format& f) {
 
 /// Returns is(format) for the format of the file's extension, or false if the extension is unknown.
 bool is_a(bool (*is)(const Format&), const std::filesystem::path& file);
+/// Returns is(format) for a ReadResult::format, or false if the format is unknown.
+bool describes(bool (*is)(const Format&), std::string_view description);
 
 }  // namespace viete::formats

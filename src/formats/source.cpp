@@ -218,6 +218,12 @@ fs::path folder_of(const fs::path& file) {
   return fs::weakly_canonical(fs::absolute(file).parent_path());
 }
 
+bool is_file_below(const fs::path& folder, const fs::path& file) {
+  std::error_code code;
+  const fs::path real = fs::weakly_canonical(file, code);
+  return !code && fs::is_regular_file(real, code) && std::ranges::mismatch(folder, real).in1 == folder.end();
+}
+
 std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name) {
   std::string slashed(name);
   std::replace(slashed.begin(), slashed.end(), '\\', '/');

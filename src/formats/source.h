@@ -78,6 +78,9 @@ std::string extension_of(const std::filesystem::path& path);
 /// Returns the canonical path of the folder that contains the file.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
+/// Returns true for a regular file in the canonical folder or below, after following links.
+bool is_file_below(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// Resolves a name relative to the folder. Accepts backslashes, because programs on Windows write them.
 std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name);
 

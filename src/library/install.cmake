@@ -1,5 +1,5 @@
 # Installs viete::deform: the static libraries of this room and of the listed rooms, and one header, deform.h.
-set(rooms base mesh formats cages sparse pose weights deform shapes analysis document files)
+set(rooms base mesh formats foreign cages sparse pose weights deform shapes analysis document files)
 foreach(room IN LISTS rooms)
   set_target_properties(viete_${room} PROPERTIES EXPORT_NAME room_${room})
 endforeach()

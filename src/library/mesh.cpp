@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "cages/make.h"
-#include "formats/read.h"
+#include "foreign/read.h"
 #include "formats/text_writer.h"
 #include "formats/write.h"
 #include "library/arguments.h"
@@ -123,7 +123,7 @@ Mesh mesh_of(const mesh::Surface& surface) {
 struct FileContent : formats::ReadResult {};
 
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes) {
-  const auto content = std::make_shared<FileContent>(FileContent{formats::read(file)});
+  const auto content = std::make_shared<FileContent>(FileContent{foreign::read(file)});
   if (notes) *notes = content->warnings;
   Mesh mesh = library::mesh_of(content->surface);
   mesh.file = content;

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "foreign/read.h"
 #include "formats/format_table.h"
-#include "formats/read.h"
 #include "formats/source.h"
 #include "formats/write.h"
 #include "mesh/half_edges.h"
@@ -80,14 +80,14 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
 // faces that divide the cage's polygons otherwise, cause a warning.
 std::vector<std::uint32_t> order_of(const formats::ReadResult& read, const Cage& cage,
                                     const std::string& file, std::vector<std::string>& warnings) {
-  const formats::Format& format = *formats::format_of_description(read.format);
-  if (auto order = mesh::vertex_order(read.surface, cage.surface, format.keeps_order)) {
+  const bool keeps_order = formats::describes(formats::keeps_order, read.format);
+  if (auto order = mesh::vertex_order(read.surface, cage.surface, keeps_order)) {
     if (!std::ranges::is_sorted(*order))
       warnings.push_back(file + ": the vertex order differs; vertices were matched by the faces");
     return *std::move(order);
   }
   const auto found = mesh::polygon_edges(read.surface), wanted = mesh::polygon_edges(cage.surface);
-  if (!format.keeps_order || !(std::ranges::includes(found, wanted) || std::ranges::includes(wanted, found)))
+  if (!keeps_order || !(std::ranges::includes(found, wanted) || std::ranges::includes(wanted, found)))
     throw base::Error(file, mesh::first_difference(read.surface, cage.surface, "the cage"),
                       "export the pose with the vertex order or the face order of the cage, as " +
                           formats::format_names(formats::keeps_order));
@@ -112,7 +112,7 @@ std::string turn_line(std::size_t part, const Vec3& v) {
 }  // namespace
 
 Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<std::string>& warnings) {
-  formats::ReadResult read = formats::read(path);
+  formats::ReadResult read = foreign::read(path);
   const std::string file = path.string();
   check_pose(cage, read.surface.positions.size(), file);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());

@@ -10,6 +10,7 @@
 #include "files/animation_export.h"
 #include "files/output.h"
 #include "files/session.h"
+#include "foreign/kinds.h"
 #include "formats/format_table.h"
 #include "formats/source.h"
 
@@ -71,6 +72,8 @@ std::vector<std::string_view> FileBrowser::formats() const {
   } else {
     add(formats::holds_surface);
     if (purpose == Purpose::shapes) add(formats::is_sequence);
+    if (!saves())
+      for (const foreign::Kind& kind : foreign::all_kinds()) names.push_back(kind.extension);
   }
   return names;
 }

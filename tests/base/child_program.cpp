@@ -37,6 +37,24 @@ TEST_CASE("a_child_can_be_polled_given_variables_and_stopped") {
   std::signal(SIGCHLD, before);
 }
 
+TEST_CASE("the_output_of_a_child_is_kept_if_asked_for") {
+  constexpr bool keeps_output = true;
+  ChildProgram child({"sh", "-c", "echo '40 %' >&2; echo note >&2; head -c 3000000 /dev/zero; printf end"},
+                     "", {}, keeps_output);
+  base::Progress progress;
+  CHECK(child.follow(progress) == std::vector<std::string>{"note"});
+  child.finish();
+  const std::string output = child.output();
+  CHECK(output.size() == 3'000'003);
+  CHECK(output.ends_with("end"));
+  ChildProgram other({"sh", "-c", "echo lost"}, "");
+  other.finish();
+  CHECK(other.output().empty());
+  ChildProgram slow({"sleep", "100"}, "");
+  CHECK(slow.follow(progress, 0.01).empty());
+  CHECK(slow.running());
+}
+
 TEST_CASE("missing_and_failing_children_are_reported_with_their_output") {
   CHECK(problem_of({"viete-no-such-program"}) ==
         "viete-no-such-program: this program is not installed; install it");

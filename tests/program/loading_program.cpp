@@ -60,3 +60,30 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   CHECK(d.document().model().summary.vertices ==
         formats::read(folder / "large.obj").surface.positions.size());
 }
+
+TEST_CASE("a_foreign_file_that_crashes_or_hangs_its_reader_leaves_the_document_as_it_was") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  Driver d(remembering(folder / "state", {640, 400}));
+  REQUIRE(d.open({small.model, small.cage}));
+  d.settle();
+  const mesh::Surface* const surface = d.document().model().surface.get();
+  put_file(folder / "import", "#!/bin/sh\ncase $1 in *hang*) exec sleep 100 ;; esac\nkill -SEGV $$\n");
+  std::filesystem::permissions(folder / "import", std::filesystem::perms::owner_all);
+  set_environment("VIETE_IMPORT", (folder / "import").string());
+  for (const std::string name : {"crash.fbx", "hang.fbx"}) {
+    put_file(folder / name, "content");
+    d.workspace().jobs.wishes.open({What::dropped, {folder / name}});
+    if (name == "hang.fbx") {
+      REQUIRE(sees_loading_bar(d));
+      for (const bool down : {true, false})
+        d.viewer().input().push(platform::InputEvent::key(static_cast<int>(workspace::Key::escape), down));
+    }
+    d.frame();
+    REQUIRE(d.until([&] { return !d.viewer().loading(); }));
+    CHECK(d.document().model().surface.get() == surface);
+    const std::string said = d.workspace().messages.all().back().text;
+    CHECK_MESSAGE(mentions(said, name == "hang.fbx" ? "Cancelled opening" : "it crashed, or used too"), said);
+  }
+  unsetenv("VIETE_IMPORT");
+}

@@ -1,3 +1,4 @@
+#include "formats/read.h"
 #include "formats/write.h"
 #include "program/command_line.h"
 #include "support/cube.h"
@@ -106,6 +107,21 @@ TEST_CASE("outputs_are_checked_before_the_work") {
         {"bench frame --json none/a", "none/a: cannot be written"},
         {"bench bind --json none/a", "none/a: cannot be written"}})
     files.refused(line, 1, reason);
+}
+
+TEST_CASE("a_foreign_file_is_caged_deformed_and_written_in_another_format") {
+  const WorkFolder files;
+  fs::copy_file(source_dir() / "tests/foreign/smile.fbx", files / "smile.fbx");
+  if (!fs::exists(build_dir() / "viete-import"))
+    return (void)files.refused("info smile.fbx", 1, "FBX files are read by viete-import");
+  files.done("cage smile.fbx --kind box -o box.obj");
+  const Outcome deformed = files.done("deform smile.fbx box.obj --pose box.obj -o out.obj");
+  CHECK(mentions(deformed, "left out of the OBJ file: groups"));
+  CHECK(file_bytes(files / "out.obj").find("f 1 2 3 4") != std::string::npos);
+  files.done("between smile.fbx smile.fbx -o smile.obj --at 1");  // its morph target is a shape
+  CHECK(formats::read(files / "smile.obj").surface.positions[2][1] == doctest::Approx(3.5));
+  files.refused("deform smile.fbx box.obj --pose box.obj -o out.fbx", 1, "unknown extension .fbx; use .obj");
+  CHECK(mentions(run("info " + quoted(files / "smile.fbx"), "VIETE_IMPORT=/bin/false"), "it crashed"));
 }
 
 TEST_CASE("extensions_are_taken_in_capitals_too") {

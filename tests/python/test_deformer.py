@@ -11,6 +11,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import unittest.mock
 
 import numpy as np
 import viete
@@ -340,6 +341,14 @@ class Arrays(WithFolder):
         viete.write(self.folder / "c.ply", CUBE, mixed)
         again = viete.read(self.folder / "c.ply").faces
         self.assertEqual([list(f) for f in again], mixed)
+
+    @unittest.skipUnless((PROGRAM.parent / "viete-import").exists(), "built without Assimp")
+    def test_foreign_files_are_read_by_viete_import(self):
+        with unittest.mock.patch.dict(os.environ, VIETE_IMPORT=str(PROGRAM.parent / "viete-import")):
+            surface = viete.read(pathlib.Path(__file__).parents[1] / "foreign/smile.fbx")
+        self.assertEqual(surface.vertices.tolist(), [[0, 3, 0], [1, 3, 0], [1, 3, -1], [0, 3, -1]])
+        self.assertEqual(surface.faces.tolist(), [[0, 1, 2, 3]])
+        self.assertIn("y is up", surface.notes[0])
 
     def test_threads_work_in_parallel(self):
         deformers = (self.bound(), self.bound(deformer="paper"))

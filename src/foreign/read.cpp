@@ -1,0 +1,143 @@
+#include "foreign/read.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "base/os.h"
+#include "base/process.h"
+#include "base/text.h"
+#include "foreign/kinds.h"
+#include "foreign/scene.h"
+#include "formats/read.h"
+#include "formats/surface_builder.h"
+
+namespace viete::foreign {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* convert = "convert it to glTF or OBJ in another program";
+
+// The morph targets of a foreign file. There is no animation.
+class SceneMorphs final : public formats::MorphClip {
+public:
+  SceneMorphs(std::vector<mesh::Point> rest, std::vector<Target> targets) : rest_(std::move(rest)) {
+    for (Target& target : targets) {
+      targets_.push_back(std::move(target.name));
+      positions_.push_back(std::move(target.positions));
+    }
+  }
+
+  std::vector<mesh::Point> at(double) const override { return rest_; }
+  std::vector<mesh::Point> at_target(std::size_t target) const override { return positions_[target]; }
+
+private:
+  std::vector<mesh::Point> rest_;
+  std::vector<std::vector<mesh::Point>> positions_;
+};
+
+// A foreign file cannot be written again; its images are inputs, and some content is not read.
+class ForeignOriginal final : public formats::Original {
+public:
+  ForeignOriginal(const Kind& kind, const formats::Source& source, Scene scene)
+      : Original(kind.name, source), ignored_(std::move(scene.ignored)) {
+    images_.folder = source.folder;
+    for (const formats::ImageFile& image : scene.attributes.images)
+      if (!image.path.empty()) images_.files.push_back(image.path);
+    if (!scene.targets.empty())
+      morphs_ = std::make_shared<const SceneMorphs>(std::move(scene.positions), std::move(scene.targets));
+  }
+
+  std::vector<std::string> beyond_attributes() const override { return ignored_; }
+  formats::Companions companions() const override { return images_; }
+  std::shared_ptr<const formats::MorphClip> morphs() const override { return morphs_; }
+  std::vector<std::string> write(const formats::Content&, formats::TextWriter&) const override {
+    throw base::Error(name_, std::string(format()) + " files cannot be written", "save as .glb or .obj");
+  }
+
+private:
+  std::vector<std::string> ignored_;
+  formats::Companions images_;
+  std::shared_ptr<const formats::MorphClip> morphs_;
+};
+
+std::string importer() {
+  if (std::string named = base::os::variable("VIETE_IMPORT"); !named.empty()) return named;
+  const std::string name = base::os::program_name("viete-import");
+  const fs::path beside = base::os::program_file().parent_path() / name;
+  std::error_code ignored;
+  return fs::exists(beside, ignored) ? beside.string() : name;
+}
+
+base::Error unreadable(const formats::Source& source, const Kind& kind, const std::string& reason) {
+  return {source.name, "Assimp could not read this " + std::string(kind.name) + " file: " + reason, convert};
+}
+
+// Runs viete-import. Returns its output.
+std::string output_of_importer(const formats::Source& source, const Kind& kind, double most_seconds) {
+  std::optional<base::ChildProgram> child;
+  try {
+    constexpr bool keeps_output = true;
+    child.emplace(std::vector{importer(), fs::absolute(source.name).string()}, "", std::vector<std::string>{},
+                  keeps_output);
+  } catch (const base::Error& error) {
+    throw base::Error(source.name,
+                      std::string(kind.name) + " files are read by viete-import: " + error.problem(),
+                      "install Assimp (libassimp-dev) and build Viete again, or " + std::string(convert));
+  }
+  base::Progress own;
+  const base::ProgressPart part(source.progress, 0, 0.8);
+  child->follow(source.progress ? *source.progress : own, most_seconds);
+  if (child->running())
+    throw unreadable(source, kind, base::formatted("it took longer than %g seconds", most_seconds));
+  try {
+    child->finish();
+  } catch (const base::Error&) {
+    throw unreadable(source, kind, "it crashed, or used too much memory or time");
+  }
+  return child->output();
+}
+
+Scene scene_of_file(const formats::Source& source, const Kind& kind, double most_seconds) {
+  try {
+    Scene scene = scene_of(output_of_importer(source, kind, most_seconds));
+    for (const formats::ImageFile& image : scene.attributes.images)
+      if (!image.path.empty() && !formats::is_file_below(formats::folder_of(source.name), image.path))
+        throw DamagedScene("an image is not in the folder of the file");
+    return scene;
+  } catch (const DamagedScene& damage) {
+    throw base::Error(source.name, "viete-import sent no valid scene: " + std::string(damage.what()),
+                      "install viete and viete-import of the same version, or " + std::string(convert));
+  }
+}
+
+formats::ReadResult result_of(const formats::Source& source, const Kind& kind, Scene scene) {
+  if (!scene.failure.empty()) throw unreadable(source, kind, base::printable(scene.failure, 600));
+  formats::SurfaceBuilder builder(source);
+  mesh::Surface& surface = builder.surface();
+  surface.positions = scene.positions;
+  surface.corners = std::move(scene.corners);
+  surface.polygon_starts = std::move(scene.polygon_starts);
+  for (const std::string& note : scene.notes) builder.warn(source.name + ": " + note);
+  formats::ReadResult result = builder.finish(std::string(kind.name));
+  if (!scene.attributes.empty())
+    result.attributes = std::make_shared<const formats::Attributes>(scene.attributes);
+  result.original = std::make_shared<const ForeignOriginal>(kind, source, std::move(scene));
+  return result;
+}
+
+}  // namespace
+
+formats::ReadResult read(const fs::path& path, base::Progress* progress, bool played, double most_seconds) {
+  const Kind* const kind = kind_of(path);
+  if (!kind) return formats::read(path, progress, played);
+  (void)formats::regular_file_size(path);  // throws the usual errors
+  formats::Source source{path.string(), std::string(kind->extension), "", progress};
+  source.folder = fs::absolute(path).parent_path();
+  return result_of(source, *kind, scene_of_file(source, *kind, most_seconds));
+}
+
+}  // namespace viete::foreign
