@@ -171,7 +171,7 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   const test::TemporaryFolder folder;
   FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
-  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, SPZ or PNG");
+  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, SPZ, PNG, MP4, WEBM or GIF");
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
   for (const char* name : {"f_2.obj", "f_3.obj", "f_4.obj"}) test::put_file(folder / name, "");
   const std::string proposed = browser.path;
@@ -193,6 +193,9 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   browser.path = (folder / "dragon.png").string();
   CHECK(chosen_file(browser).filename() == "dragon_####.png");
   browser.path = (folder / "dragon.mp4").string();
+  CHECK(chosen_file(browser).filename() == "dragon.mp4");
+  CHECK(problem_of_name(browser) == "");
+  browser.path = (folder / "dragon.avi").string();
   CHECK(problem_of_name(browser) != "");
 }
 
