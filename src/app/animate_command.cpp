@@ -162,6 +162,8 @@ int write_pictures(const AnimateOptions& options) {
 
 int write_film(const AnimateOptions& options) {
   const std::filesystem::path& film = options.output.file;
+  if (base::NumberedName::is_pattern(film))
+    throw base::Error(film.string(), "a film stores all frames in one file", "remove #### from the name");
   check_film_maker(film);
   files::Opened opened = opened_for_pictures(options);
   const ScratchFolder scratch;

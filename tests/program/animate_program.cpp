@@ -192,6 +192,7 @@ TEST_CASE("animate_reports_invalid_requests_before_the_work") {
   says("-o a.pc2 --frames 5-1", 2, "needs FIRST-LAST, such as 1-48, not 5-1");
   says("-o a.pc2 --frames x", 2, "needs FIRST-LAST");
   says("-o a.png", 1, "write numbered pictures");
+  says("-o f_##.mp4", 1, "a film stores all frames in one file");
   says("-o p_##.obj", 1, "p_01.obj: this is an input file (the keys)");
   CHECK(mentions(run("animate model.obj cage.obj -o a.pc2", "cd " + quoted(files.path()) + " &&"),
                  "--keys is required"));
