@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/worker_pool.h"
+#include "deform/splats.h"
 #include "formats/source.h"
 #include "mesh/normals.h"
 #include "render/upload.h"
@@ -169,17 +170,6 @@ ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& att
 
 namespace {
 
-// Returns R diag(s) of the quaternion of R and the logarithms of s.
-render::SplatShape shape_of(const std::array<float, 4>& quaternion, const std::array<float, 3>& log_scales) {
-  const auto [w, x, y, z] = quaternion;
-  const float square = w * w + x * x + y * y + z * z, two = square > 0 ? 2 / square : 0;
-  render::SplatShape m{1 - two * (y * y + z * z), two * (x * y - w * z),     two * (x * z + w * y),
-                       two * (x * y + w * z),     1 - two * (x * x + z * z), two * (y * z - w * x),
-                       two * (x * z - w * y),     two * (y * z + w * x),     1 - two * (x * x + y * y)};
-  for (std::size_t i = 0; i < m.size(); ++i) m[i] *= std::exp(log_scales[i % 3]);
-  return m;
-}
-
 // The vertices whose splats are at least half opaque, or all vertices of a point set.
 std::vector<std::uint32_t> shadow_vertices(std::size_t count, const ModelSplats* capture) {
   std::vector<std::uint32_t> vertices;
@@ -209,15 +199,14 @@ ModelSplats splats_of(const std::shared_ptr<const mesh::Splats>& splats) {
   const std::size_t count = splats->size();
   looks->opacities.resize(count);
   looks->colors.resize(count);
-  made.shapes.resize(count);
   base::for_blocks(count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       looks->opacities[i] = 1 / (1 + std::exp(-splats->opacities[i]));
       for (std::size_t k = 0; k < 3; ++k)
         looks->colors[i][k] = 0.5F + constant_harmonic * splats->colors[i][k];
-      made.shapes[i] = shape_of(splats->rotations[i], splats->log_scales[i]);
     }
   });
+  made.shapes = deform::rest_shapes(*splats);
   looks->harmonics = {splats, &splats->harmonics};
   looks->degree = splats->degree;
   made.looks = std::move(looks);

@@ -253,14 +253,22 @@ SplitSplats split_stretched(const mesh::Splats& rest, const mesh::Splats& posed,
   return all;
 }
 
-SplatFrame::SplatFrame(std::shared_ptr<const mesh::Splats> splats) : rest_(splats->size()) {
-  for (std::size_t i = 0; i < rest_.size(); ++i) {
-    const Mat3<double> r = rotation_of(splats->rotations[i]);
-    const Mat3<double> turn = std::isfinite(r[0]) ? r : Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    for (std::size_t k = 0; k < 9; ++k)
-      rest_[i][k] = static_cast<float>(turn[k] * std::exp(static_cast<double>(splats->log_scales[i][k % 3])));
-  }
-  shapes_ = rest_;
+std::vector<SplatShape> rest_shapes(const mesh::Splats& splats) {
+  std::vector<SplatShape> shapes(splats.size());
+  base::for_blocks(shapes.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Mat3<double> r = rotation_of(splats.rotations[i]);
+      const Mat3<double> turn = std::isfinite(r[0]) ? r : Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1};
+      for (std::size_t k = 0; k < 9; ++k)
+        shapes[i][k] =
+            static_cast<float>(turn[k] * std::exp(static_cast<double>(splats.log_scales[i][k % 3])));
+    }
+  });
+  return shapes;
+}
+
+SplatFrame::SplatFrame(std::shared_ptr<const mesh::Splats> splats)
+    : rest_(rest_shapes(*splats)), shapes_(rest_) {
   if (splats->degree > 0) turns_.assign(rest_.size(), {1, 0, 0, 0});
 }
 

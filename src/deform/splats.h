@@ -59,14 +59,18 @@ struct SplitSplats {
 SplitSplats split_stretched(const mesh::Splats& rest, const mesh::Splats& posed,
                             std::span<const mesh::Point> positions);
 
+/// The matrix F R S of a splat, row by row; the covariance is this matrix times its transpose.
+using SplatShape = std::array<float, 9>;
+/// Returns the shapes at rest, R S. Quaternions of length 0 are no rotation.
+std::vector<SplatShape> rest_shapes(const mesh::Splats& splats);
+
 /// The splats of a frame, for drawing. Not thread-safe.
 class SplatFrame {
 public:
-  /// The matrix F R S, row by row; the covariance is this matrix times its transpose.
-  using Shape = std::array<float, 9>;
+  using Shape = SplatShape;
   using Turn = std::array<float, 4>;  ///< a unit quaternion w, x, y, z
 
-  /// `splats` must not be null. Quaternions of length 0 are no rotation.
+  /// `splats` must not be null.
   explicit SplatFrame(std::shared_ptr<const mesh::Splats> splats);
 
   /// `vertices`: n vertices and their tips, posed.
