@@ -117,28 +117,66 @@ public:
   std::vector<std::string> missing_images() const { return {missing_.begin(), missing_.end()}; }
 
 private:
+  // Formats name the same properties differently. The first one that is found counts.
   formats::Material material_of(const aiMaterial& from) {
-    formats::Material material;
+    using formats::Material;
+    Material material;
     aiString name;
     if (from.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = name.C_Str();
-    for (const auto type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-      aiString image;
+    take_image(from, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}, material,
+               &Material::base_color_image);
+    take_image(from, {aiTextureType_METALNESS}, material, &Material::metallic_image);
+    take_image(from, {aiTextureType_DIFFUSE_ROUGHNESS}, material, &Material::roughness_image);
+    take_image(from, {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA}, material, &Material::normal_image);
+    take_image(from, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE}, material,
+               &Material::emission_image);
+    take_numbers(from, material);
+    take_colors(from, material);
+    return material;
+  }
+
+  void take_image(const aiMaterial& from, std::initializer_list<aiTextureType> types,
+                  formats::Material& material, std::uint32_t formats::Material::*image) {
+    for (const aiTextureType type : types) {
+      aiString file;
       aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
-      if (material.base_color_image != mesh::none ||
-          from.GetTexture(type, 0, &image, nullptr, nullptr, nullptr, nullptr, modes) != AI_SUCCESS)
+      if (material.*image != mesh::none ||
+          from.GetTexture(type, 0, &file, nullptr, nullptr, nullptr, nullptr, modes) != AI_SUCCESS)
         continue;
-      material.base_color_image = image_of(image.C_Str());
-      material.repeats = modes[0] != aiTextureMapMode_Clamp;
+      material.*image = image_of(file.C_Str());
+      if (image == &formats::Material::base_color_image)
+        material.repeats = modes[0] != aiTextureMapMode_Clamp;
     }
-    // A texture replaces the colour: many programs leave an unused colour in the file.
+  }
+
+  static void take_numbers(const aiMaterial& from, formats::Material& material) {
+    float exponent = 0;  // Blender 3.4 writes FBX with this exponent of roughness
+    if (from.Get(AI_MATKEY_SHININESS, exponent) == AI_SUCCESS && exponent > 0)
+      material.roughness = 1 - std::sqrt(exponent) / 10;
+    (void)from.Get(AI_MATKEY_METALLIC_FACTOR, material.metallic);
+    (void)from.Get(AI_MATKEY_ROUGHNESS_FACTOR, material.roughness);
+    // A texture replaces the number.
+    if (material.metallic_image != mesh::none) material.metallic = 1;
+    if (material.roughness_image != mesh::none) material.roughness = 1;
+    material.metallic = in_range(material.metallic);
+    material.roughness = in_range(material.roughness);
+  }
+
+  // A texture replaces the colour: many programs leave an unused colour in the file.
+  static void take_colors(const aiMaterial& from, formats::Material& material) {
     aiColor4D color(1, 1, 1, 1);
-    if (material.base_color_image == mesh::none && from.Get(AI_MATKEY_BASE_COLOR, color) != AI_SUCCESS &&
-        from.Get(AI_MATKEY_COLOR_DIFFUSE, color) != AI_SUCCESS)
-      return material;
+    const bool is_colored = material.base_color_image != mesh::none ||
+                            from.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
+                            from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS;
     float opacity = 1;
     if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0) color.a = opacity;
-    material.base_color = color_of(color);
-    return material;
+    if (is_colored) material.base_color = color_of(color);
+    aiColor4D light(0, 0, 0, 1);
+    if (material.emission_image != mesh::none)
+      light = {1, 1, 1, 1};
+    else
+      (void)from.Get(AI_MATKEY_COLOR_EMISSIVE, light);
+    material.emission = color_of(light);
   }
 
   std::uint32_t image_of(const std::string& name) {

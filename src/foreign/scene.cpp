@@ -5,6 +5,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "formats/materials.h"
 #include "formats/text_writer.h"
 
 namespace viete::foreign {
@@ -15,7 +16,7 @@ using formats::Attributes;
 using Indices = std::vector<std::uint32_t>;
 
 // Changes with every change of the members below.
-constexpr std::string_view signature = "viete scene 1\n";
+constexpr std::string_view signature = "viete scene 2\n";
 
 // Numbers and arrays of numbers, which are stored as in memory.
 template <class T>
@@ -92,7 +93,8 @@ void members(Stream& stream, formats::ImageFile& image) {
 }
 
 void members(Stream& stream, formats::Material& m) {
-  stream(m.name, m.base_color, m.base_color_image, m.repeats);
+  stream(m.name, m.base_color, m.metallic, m.roughness, m.emission, m.is_translucent, m.repeats);
+  for (const formats::MaterialImage& property : formats::material_images) stream(m.*property.image);
 }
 
 void members(Stream& stream, formats::Group& g) {
@@ -153,8 +155,11 @@ void check_groups(const Attributes& a, std::size_t polygons) {
     require_below({group.material}, a.materials.size(), true, "materials");
   }
   for (const formats::Material& material : a.materials) {
-    require_below({material.base_color_image}, a.images.size(), true, "images");
+    for (const formats::MaterialImage& property : formats::material_images)
+      require_below({material.*property.image}, a.images.size(), true, "images");
     require_color(material.base_color);
+    require_color(material.emission);
+    require_color({material.metallic, material.roughness});
   }
 }
 

@@ -22,18 +22,30 @@ using Color = std::array<float, 4>;  ///< red, green, blue (sRGB) and opacity, e
 /// The largest size of an image file in bytes. Larger files cannot be decoded.
 inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
 
-/// An encoded image: an external file, or bytes in the model's file. Only the display decodes images.
+/// An encoded image: an external file, or bytes in the model's file. Only the display and conversions decode
+/// images.
 struct ImageFile {
   std::filesystem::path path;                ///< absolute path; empty if the image is in the model's file
   std::shared_ptr<const std::string> bytes;  ///< PNG, JPEG ...; null if the image is an external file
   std::string name;                          ///< for messages
 };
 
+/// The properties of glTF's metallic-roughness model. Images are indices into Attributes::images, or
+/// mesh::none. Numbers are multiplied by their images. The display uses only the base colour.
 struct Material {
   std::string name;
   Color base_color{0.8F, 0.8F, 0.8F, 1};
-  std::uint32_t base_color_image = mesh::none;  ///< index into images; the image is multiplied by base_color
-  bool repeats = true;  ///< false: outside [0, 1], the border colour of the image continues
+  float metallic = 0, roughness = 0.5F;  ///< in [0, 1]
+  Color emission{0, 0, 0, 1};            ///< the opacity is ignored
+  std::uint32_t base_color_image = mesh::none;
+  std::uint32_t metallic_image = mesh::none;   ///< the blue channel, or a grey image
+  std::uint32_t roughness_image = mesh::none;  ///< the green channel, or a grey image
+  std::uint32_t normal_image = mesh::none;     ///< normals in tangent space; y points up
+  std::uint32_t emission_image = mesh::none;
+  bool is_translucent = false;  ///< true if the base colour image contains opacities
+  bool repeats = true;          ///< false: outside [0, 1], the border colour of the images continues
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// Consecutive polygons with the same object, name, material and shading.

@@ -23,9 +23,13 @@ ReadResult read_obj(const Source& source);
 bool looks_like_obj(const Source& source);
 /// Returns true if at least 90 % of the lines are valid OBJ statements and the file has a vertex.
 bool is_certainly_obj(const Beginning& file);
-/// Writes colours, texture points and normals, but no groups or materials. By default, positions have the
-/// shortest digits from which the exact number can be read.
+/// Writes colours, texture points, normals, groups and the names of materials, which must be different. By
+/// default, positions have the shortest digits from which the exact number can be read.
 void write_obj(const Content& content, TextWriter& out);
+/// Writes a material library. In addition to the manual's statements, uses Pr, Pm, map_Pr, map_Pm, map_Ke and
+/// norm of the PBR extension (Clara.io, 2014), and map_Bump for normal maps like Blender. ImageFile::name is
+/// the path in the file.
+void write_mtl(const Attributes& attributes, TextWriter& out);
 
 /// Specification: Greg Turk, The PLY polygon file format, 1994. Reads positions, faces, triangle strips, and
 /// the properties listed at PlyBody in ply.cpp. Compares the counts in the header with the file size before
@@ -77,7 +81,8 @@ ReadResult read_gltf(const Source& source);
 bool looks_like_gltf(const Source& source);
 /// Returns true for a GLB file of version 2, or for JSON with an asset of version 2.
 bool is_certainly_gltf(const Beginning& file);
-/// Writes one node with one mesh and one primitive: float positions, texture points, normals, colours.
+/// Writes one node with one mesh, and one primitive for each material: float positions, texture points,
+/// normals, colours. Images must have bytes; see embed_images().
 /// Far from the origin, positions are relative to the node's translation. Computes missing normals. A surface
 /// that is_flat() and has no normals stays without normals, because viewers then use flat shading. Polygons
 /// become triangles. If the GLB exceeds 4 GB, throws base::Error.

@@ -21,9 +21,11 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .write = write,
           .may_be_binary = true,
           .holds_morphs = true,
+          .embeds_images = true,
           .up = 'y',
           .in_metres = true,
-          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals};
+          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals |
+                      textures | materials};
 }
 
 // Returns a list without duplicates: "a, b or c".
@@ -47,8 +49,11 @@ std::span<const Format> all_formats() {
        .read = read_obj,
        .is_certain = is_certainly_obj,
        .write = write_obj,
+       .write_library = write_mtl,
+       .library_extension = "mtl",
        .keeps_order = true,
-       .all_held = polygons | points | texture_points | colors | normals | corner_normals},
+       .all_held = polygons | points | texture_points | colors | normals | corner_normals | groups |
+                   textures | materials},
       {.extension = "ply",
        .name = "PLY",
        .read = read_ply,
@@ -56,8 +61,8 @@ std::span<const Format> all_formats() {
        .is_certain = is_certainly_ply,
        .write = write_ply,
        .keeps_order = true,
-       .all_held =
-           polygons | points | texture_points | colors | polygon_colors | both_colors | normals | splats},
+       .all_held = polygons | points | texture_points | colors | polygon_colors | both_colors | normals |
+                   splats | textures},
       {.extension = "off",
        .name = "OFF",
        .read = read_off,

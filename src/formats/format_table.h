@@ -23,7 +23,10 @@ enum What : unsigned {
   normals = 1 << 5,         ///< one normal per vertex
   corner_normals = 1 << 6,  ///< several normals per vertex
   both_colors = 1 << 7,     ///< colors and polygon_colors in one file
-  splats = 1 << 8           ///< Gaussian splats
+  splats = 1 << 8,          ///< Gaussian splats
+  groups = 1 << 9,
+  textures = 1 << 10,  ///< images of the base colour
+  materials = 1 << 11  ///< all properties of Material, with images
 };
 }  // namespace held
 
@@ -36,10 +39,14 @@ struct Format {
   /// A stricter test than `recognised`, used before a file is overwritten.
   bool (*is_certain)(const Beginning&) = nullptr;
   void (*write)(const Content&, TextWriter&) = nullptr;
+  /// Writes the materials to a library: another file with this extension.
+  void (*write_library)(const Attributes&, TextWriter&) = nullptr;
+  std::string_view library_extension = {};
 
   bool may_be_binary = false;  ///< true if read() accepts binary content that recognised() rejects
   bool keeps_order = false;    ///< true if files keep the vertex order; poses and keys need this order
   bool holds_morphs = false;
+  bool embeds_images = false;
   bool is_sequence = false;  ///< true for a point cache: positions of several frames
   char up = 0;               ///< the usual up axis, 'y' or 'z'; 0 if there is no convention
   bool in_metres = false;

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "formats/gltf_morphs.h"
 #include "formats/gltf_output.h"
+#include "formats/materials.h"
 #include "formats/surface_builder.h"
 #include "mesh/point_index.h"
 
@@ -19,13 +20,7 @@ namespace {
 
 constexpr std::size_t instanced_vertices = std::size_t{1} << 22;
 
-// Converts linear light in [0, 1] to sRGB.
-float srgb_of_linear(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
-}
-
-Color srgb_of_linear(std::span<const double> c) {
+Color srgb_color(std::span<const double> c) {
   const double opacity = c.size() > 3 ? std::clamp(c[3], 0.0, 1.0) : 1.0;
   return {srgb_of_linear(c[0]), srgb_of_linear(c[1]), srgb_of_linear(c[2]), static_cast<float>(opacity)};
 }
@@ -96,17 +91,51 @@ private:
       images.push_back(image.file);
       if (image.file.name.empty()) images.back().name = "image " + std::to_string(images.size() - 1);
     }
-    for (const GltfJson& m : list_of(file_.document, "materials")) {
-      const GltfJson& colored = member_of(m, "pbrMetallicRoughness");
-      std::vector<double> color;
-      for (const GltfJson& value : list_of(colored, "baseColorFactor"))
-        color.push_back(value.is_number() ? value.get<double>() : 0.0);
-      Material material;
-      material.name = text_of(m, "name");
-      material.base_color = color.size() >= 3 ? srgb_of_linear(color) : Color{1, 1, 1, 1};
-      take_texture(index_of(member_of(colored, "baseColorTexture"), "index"), material);
-      attributes_->materials.push_back(material);
+    for (const GltfJson& m : list_of(file_.document, "materials"))
+      attributes_->materials.push_back(material_of(m));
+  }
+
+  Material material_of(const GltfJson& m) {
+    const GltfJson& surface = member_of(m, "pbrMetallicRoughness");
+    Material material{text_of(m, "name"), color_of(surface, "baseColorFactor", {1, 1, 1, 1})};
+    material.emission = color_of(m, "emissiveFactor", {0, 0, 0, 1});
+    for (const MaterialNumber& property : material_numbers) {
+      const GltfJson& value = member_of(surface, property.gltf);
+      material.*property.number = value.is_number() ? std::clamp(value.get<float>(), 0.0F, 1.0F) : 1;
     }
+    const std::string alpha = text_of(m, "alphaMode");
+    material.is_translucent = alpha == "BLEND" || alpha == "MASK";
+    if (!material.is_translucent) material.base_color[3] = 1;
+    const TextureTransform transform = transform_of_material(m);
+    for (const MaterialImage& property : material_images) {
+      const GltfJson& texture = texture_of(m, property);
+      if (texture.is_null()) continue;
+      if (transform_of(texture) == transform)
+        take_texture(index_of(texture, "index"), material, property);
+      else
+        file_.has_other_coordinates = true;
+    }
+    return material;
+  }
+
+  static Color color_of(const GltfJson& of, const char* key, const Color& otherwise) {
+    std::vector<double> color;
+    for (const GltfJson& value : list_of(of, key))
+      color.push_back(value.is_number() ? value.get<double>() : 0);
+    return color.size() >= 3 ? srgb_color(color) : otherwise;
+  }
+
+  static const GltfJson& texture_of(const GltfJson& material, const MaterialImage& property) {
+    return member_of(property.gltf_parent ? member_of(material, property.gltf_parent) : material,
+                     property.gltf);
+  }
+
+  // Returns the transform of the first texture.
+  static TextureTransform transform_of_material(const GltfJson& material) {
+    for (const MaterialImage& property : material_images)
+      if (const GltfJson& texture = texture_of(material, property); !texture.is_null())
+        return transform_of(texture);
+    return {};
   }
 
   // Returns the index of the texture's image, perhaps from an extension, or -1 if the image is missing.
@@ -117,11 +146,11 @@ private:
     return source;
   }
 
-  void take_texture(int index, Material& material) const {
+  void take_texture(int index, Material& material, const MaterialImage& property) const {
     const GltfJson& texture = element_of(file_.document, "textures", index);
     const int source = source_of(texture);
     if (source < 0 || static_cast<std::size_t>(source) >= file_.images.size()) return;
-    material.base_color_image = static_cast<std::uint32_t>(source);
+    material.*property.image = static_cast<std::uint32_t>(source);
     const GltfJson& sampler = element_of(file_.document, "samplers", index_of(texture, "sampler"));
     material.repeats = index_of(sampler, "wrapS") != gltf_clamp_to_edge;
   }
@@ -185,11 +214,6 @@ private:
     groups.push_back(group);
   }
 
-  TextureTransform texture_of(const GltfJson& primitive) const {
-    const GltfJson& material = element_of(file_.document, "materials", index_of(primitive, "material"));
-    return transform_of(member_of(member_of(material, "pbrMetallicRoughness"), "baseColorTexture"));
-  }
-
   // Returns the index of the material if the material transforms texture coordinates, otherwise -1.
   // Primitives with different results get separate vertices.
   static int mover_of(const GltfJson& primitive, const TextureTransform& transform) {
@@ -202,7 +226,8 @@ private:
   };
 
   Piece piece_of(std::size_t placement, const GltfJson& primitive) {
-    const TextureTransform transform = texture_of(primitive);
+    const TextureTransform transform =
+        transform_of_material(element_of(file_.document, "materials", index_of(primitive, "material")));
     const int texture = accessor_of(primitive, ("TEXCOORD_" + std::to_string(transform.set)).c_str());
     const int normals = accessor_of(primitive, "NORMAL"), colors = accessor_of(primitive, "COLOR_0");
     const int positions = accessor_of(primitive, "POSITION"), tangents = accessor_of(primitive, "TANGENT");
@@ -295,7 +320,7 @@ private:
     const std::size_t components = accessors_.components(accessor) == 4 ? 4 : 3;
     const std::vector<double> numbers = matching(piece, accessor, components);
     for (std::size_t i = 0; i < piece.count; ++i)
-      colors_[piece.first + i] = srgb_of_linear(std::span(numbers).subspan(components * i, components));
+      colors_[piece.first + i] = srgb_color(std::span(numbers).subspan(components * i, components));
     has_colors_ = true;
   }
 

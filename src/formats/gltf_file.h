@@ -104,6 +104,8 @@ struct GltfFile {
   std::vector<GltfImage> images;
   std::vector<std::string> warnings;  ///< one line each
   std::string other_chunks;           ///< unknown chunks of a GLB with their headers
+  /// True if a texture was not read, because its coordinates differ from the coordinates of the base colour.
+  bool has_other_coordinates = false;
 };
 
 /// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below. External images are

@@ -2,6 +2,7 @@
 #include "formats/gltf_output.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/gltf_morphs.h"
+#include "formats/materials.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {
@@ -114,6 +116,10 @@ public:
       const auto mode = count_of(p, "mode");
       return mode && *mode < 4;
     });
+    const auto occluded = [](const GltfJson& m) { return m.contains("occlusionTexture"); };
+    if (std::ranges::any_of(list_of(document, "materials"), occluded))
+      found.emplace_back("occlusion textures");
+    if (file_.has_other_coordinates) found.emplace_back("textures with coordinates of their own");
     if (!text_of(member_of(document, "asset"), "copyright").empty()) found.emplace_back("copyright");
     if (has_extras(document)) found.emplace_back("extras");
     for (const GltfJson& extension : list_of(document, "extensionsUsed"))
@@ -274,10 +280,6 @@ private:
   const GltfMap& map_;
 };
 
-double linear_of_srgb(double x) {
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
 // A vertex of the file: the indices of a surface vertex, a texture point, a normal and a coloured face.
 struct OutputVertex {
   std::uint32_t vertex, texture, normal, color;
@@ -303,7 +305,7 @@ public:
     list_normals();
     list_vertices();
     choose_origin();
-    document["meshes"][0]["primitives"].push_back(primitive());
+    add_primitives();
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
 
@@ -346,19 +348,21 @@ private:
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
     std::map<Color, std::uint32_t> first_with_color;  // the first face with each colour
     const bool faces_colored = !given_.polygon_colors.empty() && given_.colors.empty();
-    std::size_t t = 0;
+    std::size_t t = 0, group = 0;
     for_each_triangle(surface_, [&](const mesh::Triangle& triangle, const mesh::Triangle& corners) {
       const std::uint32_t polygon = surface_.triangle_polygon[t++];
       const std::uint32_t color =
           faces_colored ? first_with_color.try_emplace(given_.polygon_colors[polygon], polygon).first->second
                         : mesh::none;
+      while (group + 1 < given_.groups.size() && given_.groups[group + 1].first_polygon <= polygon) ++group;
+      auto& indices = indices_[given_.groups.empty() ? mesh::none : given_.groups[group].material];
       for (std::size_t k = 0; k < 3; ++k) {
         const OutputVertex v{triangle[k],
                              given_.corner_texture.empty() ? mesh::none : given_.corner_texture[corners[k]],
                              corner_normal_[corners[k]], color};
         const auto [at, added] = numbers.try_emplace(v, static_cast<std::uint32_t>(vertices_.size()));
         if (added) vertices_.push_back(v);
-        indices_.push_back(at->second);
+        indices.push_back(at->second);
       }
     });
     if (!vertices_.empty()) return;
@@ -402,13 +406,69 @@ private:
     out.add_target(written_, places, turned, {});
   }
 
-  GltfJson primitive() {
+  // The primitives have the same vertices. Each has the triangles of a material.
+  void add_primitives() {
+    GltfJson primitive = vertices_of_primitives(), all = GltfJson::array();
+    if (indices_.empty()) {
+      primitive["mode"] = gltf_points;
+      all.push_back(primitive);
+    }
+    for (const auto& [material, indices] : indices_) {
+      primitive["indices"] =
+          add_accessor(indices.data(), indices.size(), 1, gltf_unsigned_int, gltf_element_buffer);
+      primitive.erase("material");
+      if (material < given_.materials.size())
+        primitive["material"] = add_material(given_.materials[material]);
+      all.push_back(primitive);
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) written_.primitives.push_back(i);
+    document["meshes"][0]["primitives"] = std::move(all);
+  }
+
+  // Back faces are visible, because most formats cannot hide them.
+  std::size_t add_material(const Material& m) {
+    GltfJson made = {{"name", m.name}, {"doubleSided", true}}, surface;
+    const auto linear = [](const Color& c) {
+      return GltfJson{linear_of_srgb(c[0]), linear_of_srgb(c[1]), linear_of_srgb(c[2])};
+    };
+    surface["baseColorFactor"] = linear(m.base_color);
+    surface["baseColorFactor"].push_back(m.base_color[3]);
+    for (const MaterialNumber& property : material_numbers) surface[property.gltf] = m.*property.number;
+    for (const MaterialImage& property : material_images)
+      if (const std::uint32_t image = m.*property.image; image != mesh::none)
+        (property.gltf_parent ? surface : made)[property.gltf]["index"] = add_texture(image, m.repeats);
+    made["pbrMetallicRoughness"] = surface;
+    made["emissiveFactor"] = linear(m.emission);
+    if (m.is_translucent || m.base_color[3] < 1) made["alphaMode"] = "BLEND";
+    document["materials"].push_back(made);
+    return document["materials"].size() - 1;
+  }
+
+  std::size_t add_texture(std::uint32_t image, bool repeats) {
+    const auto [at, is_new] = image_numbers_.try_emplace(image, image_numbers_.size());
+    if (is_new) {
+      const ImageFile& file = given_.images[image];
+      const std::string& data = *file.bytes;
+      const std::size_t view = add_gltf_view(document, bytes, data.data(), data.size());
+      document["images"].push_back({{"name", fs::path(file.name).stem().string()},
+                                    {"mimeType", data.starts_with('\xFF') ? "image/jpeg" : "image/png"},
+                                    {"bufferView", view}});
+    }
+    GltfJson texture = {{"source", at->second}};
+    if (!repeats) {
+      document["samplers"] = {{{"wrapS", gltf_clamp_to_edge}, {"wrapT", gltf_clamp_to_edge}}};
+      texture["sampler"] = 0;
+    }
+    document["textures"].push_back(texture);
+    return document["textures"].size() - 1;
+  }
+
+  GltfJson vertices_of_primitives() {
     GltfJson made = {{"attributes", GltfJson::object()}};
     GltfJson& attributes = made["attributes"];
     const auto has = [&](std::uint32_t OutputVertex::*part) {
       return std::ranges::any_of(vertices_, [&](const auto& v) { return v.*part != mesh::none; });
     };
-    written_.primitives = {0};
     written_.positions = add_vectors(attributes["POSITION"], 3, [&](const OutputVertex& v, float* to) {
       check_written("glTF", v.vertex, positions_[v.vertex], largest_float);
       for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k] - origin_[k]);
@@ -432,12 +492,6 @@ private:
         const Color& c = v.color == mesh::none ? given_.colors[v.vertex] : given_.polygon_colors[v.color];
         for (std::size_t k = 0; k < 4; ++k) to[k] = static_cast<float>(k < 3 ? linear_of_srgb(c[k]) : c[k]);
       });
-    }
-    if (indices_.empty()) {
-      made["mode"] = gltf_points;
-    } else {
-      made["indices"] =
-          add_accessor(indices_.data(), indices_.size(), 1, gltf_unsigned_int, gltf_element_buffer);
     }
     return made;
   }
@@ -471,7 +525,8 @@ private:
   std::vector<mesh::Vec3> normals_;
   std::vector<std::uint32_t> corner_normal_;  // indices into normals_
   std::vector<OutputVertex> vertices_;
-  std::vector<std::uint32_t> indices_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> indices_;  // of the triangles of each material
+  std::map<std::uint32_t, std::size_t> image_numbers_;           // indices in the document's images
   MorphedVertices written_;
 };
 

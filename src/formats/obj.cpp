@@ -30,8 +30,8 @@ public:
   }
 
   std::size_t normal_count() const { return found_.normals.size(); }
-  // Returns material libraries and images. Valid after finish().
-  const std::vector<std::filesystem::path>& files() const { return files_; }
+  // Valid after finish().
+  const MaterialFiles& files() const { return files_; }
 
   void texture_point(TextCursor& text) {
     std::array<double, 2> values{};
@@ -162,7 +162,7 @@ private:
   std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
   std::map<std::string, std::uint32_t, std::less<>> materials_;
   std::vector<std::string> libraries_;
-  std::vector<std::filesystem::path> files_;
+  MaterialFiles files_;
 };
 
 class ObjReader {

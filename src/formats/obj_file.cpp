@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -61,26 +62,32 @@ public:
 
   std::vector<MtlMaterial> read() {
     for (; text_.next_filled_line(); text_.next_line()) statement(text_.word());
+    end_material();
     return std::move(found_);
   }
 
 private:
   void statement(std::string_view word) {
     if (word == "newmtl") {
+      end_material();
       found_.emplace_back().material.name = text_.rest_of_line();
+      numbers_.clear();
+      opacities_ = mesh::none;
       return;
     }
     if (found_.empty()) return;
-    Color& color = found_.back().material.base_color;
+    Material& m = found_.back().material;
     if (word == "Kd") {
-      diffuse(color);
+      color(m.base_color);
+    } else if (word == "Ke") {
+      color(m.emission);
     } else if (word == "d" || word == "Tr") {
       if (const auto value = number_in(text_.word()))
-        color[3] = static_cast<float>(std::clamp(word == "d" ? *value : 1 - *value, 0.0, 1.0));
-    } else if (word == "map_Kd") {
-      map(true);
+        m.base_color[3] = static_cast<float>(std::clamp(word == "d" ? *value : 1 - *value, 0.0, 1.0));
+    } else if (word == "Ns" || word == "Pr" || word == "Pm") {
+      if (const auto value = number_in(text_.word())) numbers_.emplace(word, *value);
     } else if (is_map(word)) {
-      map(false);
+      map(word);
     }
   }
 
@@ -90,7 +97,7 @@ private:
   }
 
   // Reads up to three components. Repeats the last for missing components. Ignores spectral and CIE colours.
-  void diffuse(Color& color) {
+  void color(Color& color) {
     std::array<double, 3> rgb{};
     const std::size_t count = text_.numbers(rgb);
     if (count == 0) return;
@@ -99,19 +106,40 @@ private:
     for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(std::clamp(rgb[i], 0.0, 1.0));
   }
 
-  void map(bool of_base_color) {
+  // Returns null for other maps.
+  static const MaterialImage* property_of(std::string_view word) {
+    if (word == "bump" || word == "map_bump" || word == "norm") word = "map_Bump";
+    for (const MaterialImage& property : material_images)
+      if (property.mtl.substr(0, property.mtl.find(' ')) == word) return &property;
+    return nullptr;
+  }
+
+  void map(std::string_view word) {
     for (;;) {
       TextCursor ahead = text_;
       const std::string_view option = ahead.word();
       const std::size_t words = option_words(option);
       if (words == 0) break;
       text_ = ahead;
-      map_option(option, words, of_base_color);
+      map_option(option, words, word == "map_Kd");
     }
     const std::string_view name = text_.rest_of_line();
     if (name.empty()) return;
-    found_.back().maps.push_back(path_beside(source_.folder, name));
-    if (of_base_color) found_.back().image = found_.back().maps.back();
+    take_map(word, path_beside(source_.folder, name));
+  }
+
+  // `norm` replaces a bump map.
+  void take_map(std::string_view word, fs::path path) {
+    MtlMaterial& m = found_.back();
+    const auto map = static_cast<std::uint32_t>(m.maps.size());
+    m.maps.push_back(std::move(path));
+    const MaterialImage* const property = property_of(word);
+    if (word == "map_d")
+      opacities_ = map;
+    else if (!property)
+      m.ignored.emplace(word);
+    else if (m.material.*property->image == mesh::none || property->mtl == word || word == "norm")
+      m.material.*property->image = map;
   }
 
   void map_option(std::string_view option, std::size_t words, bool of_base_color) {
@@ -124,9 +152,29 @@ private:
     }
   }
 
+  // Sets the properties that depend on several statements.
+  void end_material() {
+    if (found_.empty()) return;
+    auto& [material, maps, ignored] = found_.back();
+    if (const auto exponent = numbers_.find("Ns"); exponent != numbers_.end())
+      material.roughness = roughness_of_exponent(exponent->second);
+    for (const MaterialNumber& property : material_numbers) {
+      if (material.*property.image != mesh::none) material.*property.number = 1;
+      if (const auto given = numbers_.find(property.mtl); given != numbers_.end())
+        material.*property.number = static_cast<float>(std::clamp(given->second, 0.0, 1.0));
+    }
+    if (opacities_ == mesh::none) return;
+    const std::uint32_t image = material.base_color_image;
+    material.is_translucent = image != mesh::none && maps[image] == maps[opacities_];
+    if (!material.is_translucent) ignored.emplace("map_d");
+  }
+
   const Source& source_;
   TextCursor text_;
   std::vector<MtlMaterial> found_;
+  // The next members belong to the current material.
+  std::map<std::string, double, std::less<>> numbers_;
+  std::uint32_t opacities_ = mesh::none;  // the index of map_d
 };
 
 std::vector<MtlMaterial> materials_in(const fs::path& path) {
@@ -178,12 +226,20 @@ ObjIndices obj_indices(std::string_view rest) {
   return good ? indices : ObjIndices{0, 0, {}, false};
 }
 
+float roughness_of_exponent(double exponent) {
+  return static_cast<float>(1 - std::sqrt(std::clamp(exponent, 0.0, 1000.0) / 1000));
+}
+
+float exponent_of_roughness(float roughness) {
+  return 1000 * (1 - roughness) * (1 - roughness);
+}
+
 std::vector<MtlMaterial> read_mtl(const Source& source) {
   return MtlReader(source).read();
 }
 
-std::vector<fs::path> read_materials(const Source& source, const std::vector<std::string>& libraries,
-                                     Attributes& attributes, SurfaceBuilder& builder) {
+MaterialFiles read_materials(const Source& source, const std::vector<std::string>& libraries,
+                             Attributes& attributes, SurfaceBuilder& builder) {
   if (source.folder.empty()) return {};
   constexpr std::size_t most_libraries = 64, most_files = 4096;
   std::map<std::string, MtlMaterial, std::less<>> library;
@@ -204,6 +260,7 @@ std::vector<fs::path> read_materials(const Source& source, const std::vector<std
       }
     }
   std::size_t missing = 0;
+  std::set<std::string> ignored;
   std::map<fs::path, std::uint32_t> images;
   for (Material& material : attributes.materials) {
     const auto found = library.find(material.name);
@@ -211,17 +268,21 @@ std::vector<fs::path> read_materials(const Source& source, const std::vector<std
       ++missing;
       continue;
     }
-    const fs::path& image = found->second.image;
     material = found->second.material;
-    if (image.empty()) continue;
-    const auto [at, added] = images.emplace(image, static_cast<std::uint32_t>(attributes.images.size()));
-    if (added) attributes.images.push_back({image, nullptr, image.filename().string()});
-    material.base_color_image = at->second;
+    ignored.merge(found->second.ignored);
+    for (const MaterialImage& property : material_images) {
+      std::uint32_t& index = material.*property.image;
+      if (index == mesh::none) continue;
+      const fs::path& path = found->second.maps[index];
+      const auto [at, added] = images.emplace(path, static_cast<std::uint32_t>(attributes.images.size()));
+      if (added) attributes.images.push_back({path, nullptr, path.filename().string()});
+      index = at->second;
+    }
   }
   if (missing > 0 && all_read && !libraries.empty())
     builder.warn(source.name + ": " + base::counted(missing, "material") +
                  " not found in the material libraries; default colour used");
-  return {files.begin(), files.end()};
+  return {{files.begin(), files.end()}, std::move(ignored)};
 }
 
 }  // namespace viete::formats

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "formats/attributes.h"
+#include "formats/materials.h"
 #include "formats/original.h"
 #include "formats/source.h"
 #include "formats/surface_builder.h"
@@ -53,32 +55,39 @@ struct ObjIndices {
 /// Parses the text after a corner's vertex index: "", "/2", "//3", "/2/3".
 ObjIndices obj_indices(std::string_view behind_vertex);
 
-/// Returns an original that writes the file again with other positions. Moved coordinates get as many
-/// decimals as in the file, but at least six significant digits relative to the model's diagonal. If the
-/// corners of a `vn` line need different normals, writing adds `vn` lines after the block and renumbers the
-/// indices of faces. `attributes` may be null. `normal_blocks` has the number of `vn` lines from the start of
-/// the file to the end of each block. `files` are material libraries and images.
-std::shared_ptr<const Original> obj_original(const Source& source,
-                                             std::shared_ptr<const Attributes> attributes,
-                                             std::vector<std::uint32_t> normal_blocks,
-                                             std::vector<std::filesystem::path> files);
-
-/// A `newmtl` section: the statements Kd, d, Tr and map_Kd, and the file names of other maps.
+/// A `newmtl` section.
 struct MtlMaterial {
-  Material material;                        ///< base_color_image is not set
-  std::filesystem::path image;              ///< path of map_Kd; the file can be missing; empty without map_Kd
-  std::vector<std::filesystem::path> maps;  ///< files of all maps, including `image`
+  Material material;                        ///< its images are indices into `maps`
+  std::vector<std::filesystem::path> maps;  ///< the files of all maps; files can be missing
+  std::set<std::string> ignored;            ///< statements of maps that are not in `material`: "disp"
 };
+
+/// Converts between the exponent Ns and roughness like Blender 3.4: roughness = 1 - sqrt(Ns / 1000).
+float roughness_of_exponent(double exponent);
+float exponent_of_roughness(float roughness);
 
 /// Reads a material library and skips unreadable lines. source.folder must be the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// Sets colours and images of the model's materials by name. `libraries` has the text after the keyword of
+struct MaterialFiles {
+  std::vector<std::filesystem::path> files;  ///< paths of all libraries and images
+  std::set<std::string> ignored;             ///< statements of maps that are not in Material
+};
+
+/// Sets the properties of the model's materials by name. `libraries` has the text after the keyword of
 /// each `mtllib` line. The text is one file name, perhaps with blanks, or several file names. Files are
 /// relative to source.folder; if source.folder is empty, does nothing. If there are materials and a library
-/// is unreadable, adds a warning. Returns the paths of all libraries and images.
-std::vector<std::filesystem::path> read_materials(const Source& source,
-                                                  const std::vector<std::string>& libraries,
-                                                  Attributes& attributes, SurfaceBuilder& builder);
+/// is unreadable, adds a warning.
+MaterialFiles read_materials(const Source& source, const std::vector<std::string>& libraries,
+                             Attributes& attributes, SurfaceBuilder& builder);
+
+/// Returns an original that writes the file again with other positions. Moved coordinates get as many
+/// decimals as in the file, but at least six significant digits relative to the model's diagonal. If the
+/// corners of a `vn` line need different normals, writing adds `vn` lines after the block and renumbers the
+/// indices of faces. `attributes` may be null. `normal_blocks` has the number of `vn` lines from the start of
+/// the file to the end of each block.
+std::shared_ptr<const Original> obj_original(const Source& source,
+                                             std::shared_ptr<const Attributes> attributes,
+                                             std::vector<std::uint32_t> normal_blocks, MaterialFiles files);
 
 }  // namespace viete::formats

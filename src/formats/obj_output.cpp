@@ -4,6 +4,7 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "base/text.h"
 #include "formats/codecs.h"
@@ -222,11 +223,12 @@ private:
 class ObjOriginal final : public Original {
 public:
   ObjOriginal(const Source& source, std::shared_ptr<const Attributes> attributes,
-              std::vector<std::uint32_t> normal_blocks, std::vector<std::filesystem::path> files)
+              std::vector<std::uint32_t> normal_blocks, MaterialFiles files)
       : Original("OBJ", source),
         attributes_(std::move(attributes)),
         normal_blocks_(std::move(normal_blocks)),
-        companions_{source.folder, std::move(files)} {}
+        companions_{source.folder, std::move(files.files)},
+        ignored_(std::move(files.ignored)) {}
 
   std::vector<std::string> beyond_attributes() const override {
     const Source source = this->source();
@@ -240,7 +242,7 @@ public:
       if (kind != ObjWord::other && kind != ObjWord::free_form) continue;
       ++(word == "l" || word == "L" ? lines : word == "p" || word == "P" ? points : others);
     }
-    std::vector<std::string> found;
+    std::vector<std::string> found(ignored_.begin(), ignored_.end());
     if (smoothing) found.emplace_back("smoothing groups");
     if (has_comments(bytes_)) found.emplace_back("comments");
     if (lines > 0) found.push_back(base::counted(lines, "line"));
@@ -264,16 +266,70 @@ private:
   std::shared_ptr<const Attributes> attributes_;
   std::vector<std::uint32_t> normal_blocks_;
   Companions companions_;
+  std::set<std::string> ignored_;  // statements of maps that are not read
 };
 
+// Writes the statements before the first polygon of each group that differs from the previous group.
+class GroupStatements {
+public:
+  GroupStatements(const Attributes& attributes, bool with_materials)
+      : groups_(attributes.groups), materials_(attributes.materials), with_materials_(with_materials) {}
+
+  void before(std::size_t polygon, TextWriter& out) {
+    if (next_ == groups_.size() || groups_[next_].first_polygon != polygon) return;
+    const Group& group = groups_[next_++];
+    if (group.object != now_.object) out.text("o ").text(TextWriter::one_line(group.object)).text("\n");
+    if (group.name != now_.name) out.text("g ").text(TextWriter::one_line(group.name)).text("\n");
+    if (with_materials_ && group.material != now_.material && group.material != mesh::none)
+      out.text("usemtl ").text(materials_[group.material].name).text("\n");
+    if (group.smooth != now_.smooth) out.text(group.smooth ? "s 1\n" : "s off\n");
+    now_ = group;
+  }
+
+private:
+  const std::vector<Group>& groups_;
+  const std::vector<Material>& materials_;
+  bool with_materials_;
+  std::size_t next_ = 0;
+  Group now_;
+};
+
+void put_color(std::string_view statement, const Color& color, TextWriter& out) {
+  out.text(statement);
+  for (std::size_t k = 0; k < 3; ++k) out.text(" ").number(color[k]);
+  out.text("\n");
+}
+
 }  // namespace
+
+void write_mtl(const Attributes& a, TextWriter& out) {
+  for (const Material& m : a.materials) {
+    out.text("newmtl ").text(m.name).text("\n");
+    put_color("Kd", m.base_color, out);
+    put_color("Ke", m.emission, out);
+    out.text("d ").number(m.base_color[3]).text("\n");
+    out.text("Ns ").number(exponent_of_roughness(m.roughness)).text("\n");
+    for (const MaterialNumber& property : material_numbers)
+      out.text(property.mtl).text(" ").number(m.*property.number).text("\n");
+    const std::string_view clamp = m.repeats ? "" : " -clamp on";
+    const auto map = [&](std::string_view statement, std::uint32_t image) {
+      if (image != mesh::none)
+        out.text(statement).text(clamp).text(" ").text(a.images[image].name).text("\n");
+    };
+    for (const MaterialImage& property : material_images) map(property.mtl, m.*property.image);
+    map("norm", m.normal_image);
+    if (m.is_translucent) map("map_d", m.base_color_image);
+  }
+}
 
 void write_obj(const Content& content, TextWriter& out) {
   const mesh::Surface& surface = content.surface;
   const Attributes& a = content.given();
+  GroupStatements groups(a, !content.library.empty());
   const std::size_t all = content.positions.size() + surface.polygon_count();
   std::size_t done = 0;
   out.comments("# ", content.comments);
+  if (!content.library.empty()) out.text("mtllib ").text(content.library).text("\n");
   for (std::size_t v = 0; v < content.positions.size(); ++v) {
     out.text("v ");
     print_point(content.positions[v], out);
@@ -284,8 +340,8 @@ void write_obj(const Content& content, TextWriter& out) {
   for (const Vec2& t : a.texture_points)
     out.text("vt ").number(t[0]).text(" ").number(t[1]).text("\n").element_done(done, all);
   for (const mesh::Vec3& n : a.normals) out.text("vn ").point(n).text("\n").element_done(done, all);
-  if (is_flat(a)) out.text("s off\n");
   for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    groups.before(p, out);
     out.text("f");
     for (auto c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c) {
       const std::uint32_t texture = a.corner_texture.empty() ? mesh::none : a.corner_texture[c];
@@ -301,8 +357,7 @@ void write_obj(const Content& content, TextWriter& out) {
 
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
-                                             std::vector<std::uint32_t> normal_blocks,
-                                             std::vector<std::filesystem::path> files) {
+                                             std::vector<std::uint32_t> normal_blocks, MaterialFiles files) {
   return std::make_shared<const ObjOriginal>(source, std::move(attributes), std::move(normal_blocks),
                                              std::move(files));
 }

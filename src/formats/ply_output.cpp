@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -22,10 +23,13 @@ public:
     const std::uint32_t most = faces_textured_ ? 127 : 255;
     for (std::size_t p = 0; p < s_.polygon_count(); ++p)
       large_ |= s_.polygon_starts[p + 1] - s_.polygon_starts[p] > most;
+    number_images();
   }
 
   void header() {
     const char* const length = large_ ? "uint" : "uchar";
+    for (const std::uint32_t image : images_)
+      out_.text("comment TextureFile ").text(a_.images[image].name).text("\n");
     out_.text("element vertex ").number(std::uint64_t{positions_.size()});
     out_.text("\nproperty double x\nproperty double y\nproperty double z\n");
     if (normals_) out_.text("property float nx\nproperty float ny\nproperty float nz\n");
@@ -35,6 +39,7 @@ public:
     out_.text("\nproperty list ").text(length).text(" uint vertex_indices\n");
     if (faces_textured_) out_.text("property list ").text(length).text(" float texcoord\n");
     if (!a_.polygon_colors.empty()) color_header();
+    if (!images_.empty()) out_.text("property int texnumber\n");
     out_.text("end_header\n");
   }
 
@@ -54,9 +59,28 @@ public:
       for (auto c = begin; c < end; ++c) texture_point(a_.corner_texture[c]);
     }
     if (!a_.polygon_colors.empty()) color(a_.polygon_colors[p]);
+    while (group_ + 1 < a_.groups.size() && a_.groups[group_ + 1].first_polygon <= p) ++group_;
+    if (!images_.empty()) out_.little_endian(image_number(a_.groups[group_]));
   }
 
 private:
+  // Lists the images that are used. MeshLab writes their numbers to `texnumber`, and -1 for no image.
+  void number_images() {
+    for (const Group& group : a_.groups) {
+      const std::uint32_t image = image_of(group);
+      if (image != mesh::none && std::ranges::find(images_, image) == images_.end()) images_.push_back(image);
+    }
+  }
+
+  std::uint32_t image_of(const Group& group) const {
+    return group.material == mesh::none ? mesh::none : a_.materials[group.material].base_color_image;
+  }
+
+  std::int32_t image_number(const Group& group) const {
+    const auto at = std::ranges::find(images_, image_of(group));
+    return at == images_.end() ? -1 : static_cast<std::int32_t>(at - images_.begin());
+  }
+
   void color_header() {
     for (const char* name : {"red", "green", "blue", "alpha"})
       out_.text("property uchar ").text(name).text("\n");
@@ -83,6 +107,8 @@ private:
   TextWriter& out_;
   std::optional<std::vector<std::uint32_t>> normals_, texture_;
   bool faces_textured_ = false, large_ = false;
+  std::vector<std::uint32_t> images_;  // indices into Attributes::images, in the order of the header
+  std::size_t group_ = 0;              // of the current face
 };
 
 void write_capture(const Content& content, TextWriter& out) {

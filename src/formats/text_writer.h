@@ -44,6 +44,7 @@ struct Content {
   /// For a capture: the vertex of `surface` from which each written vertex takes its other properties. If
   /// empty, each vertex takes its own.
   std::span<const std::uint32_t> sources = {};
+  std::string library = {};  ///< the file name of the material library; may be empty
 
   /// Returns *attributes, or empty attributes for null.
   const Attributes& given() const {

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/format_table.h"
+#include "formats/materials.h"
 
 namespace viete::formats {
 
@@ -22,6 +23,17 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
     TextWriter out(sink, progress, digits);
     fill(out);
     out.finish();
+  });
+}
+
+// Returns true if the attributes have materials. If `but_textures`, ignores materials that are only an image.
+bool has_materials(const Attributes& a, bool but_textures) {
+  return !std::ranges::all_of(a.materials, [&](const Material& m) {
+    const std::uint32_t i = m.base_color_image;
+    if (!but_textures || i == mesh::none) return false;
+    return m == Material{.name = fs::path(a.images[i].name).stem().string(),
+                         .base_color = {1, 1, 1, 1},
+                         .base_color_image = i};
   });
 }
 
@@ -41,13 +53,19 @@ std::vector<std::string> names_of_left_out(const Format& format, const mesh::Sur
       {normals ? "several normals of a vertex" : "normals", !a.normals.empty(), normals_fit},
       {"colours", !a.colors.empty(), format.holds(held::colors)},
       {"colours of faces", !a.polygon_colors.empty(),
-       format.holds(held::polygon_colors) && (a.colors.empty() || format.holds(held::both_colors))},
-      {"groups", is_named, false},
-      {"materials", !a.materials.empty(), false},
-      {"textures", !a.images.empty(), false}};
+       deformed.polygon_colors.empty() ||
+           (format.holds(held::polygon_colors) && (a.colors.empty() || format.holds(held::both_colors)))},
+      {"groups", is_named, format.holds(held::groups)},
+      {"materials", has_materials(a, format.holds(held::textures)), format.holds(held::materials)}};
   std::vector<std::string> names;
   for (const Kind& kind : kinds)
     if (kind.in_file && !kind.fits) names.emplace_back(kind.name);
+  for (const MaterialImage& property : material_images) {
+    const bool is_held =
+        format.holds(property.image == &Material::base_color_image ? held::textures : held::materials);
+    const auto has_image = [&](const Material& m) { return m.*property.image != mesh::none; };
+    if (!is_held && std::ranges::any_of(a.materials, has_image)) names.emplace_back(property.name);
+  }
   return names;
 }
 
@@ -83,14 +101,53 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   return notes;
 }
 
-// Returns the attributes after deformation. `notes` gets messages about content that the format cannot store.
+// Returns the attributes after deformation. Converts between colours of faces and materials if the format
+// holds only one of them. `notes` gets messages about this, and about content that the format cannot store.
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
   Attributes now;
   if (content.attributes && content.sources.empty())
     now = deformed_attributes(content.surface, content.positions, *content.attributes);
-  notes = left_out(format, content, now, original);
+  const std::size_t polygons = content.surface.polygon_count();
+  const bool colors = format.holds(held::polygon_colors), materials = format.holds(held::materials);
+  const bool to_materials = !colors && materials && make_materials_of_colors(polygons, now);
+  if (to_materials) notes.emplace_back("the colours of faces became materials");
+  if (colors && !materials && make_colors_of_materials(polygons, now))
+    notes.emplace_back("the colours of materials became colours of faces");
+  std::ranges::move(left_out(format, content, now, original), std::back_inserter(notes));
   return now;
+}
+
+// The name of a library without extension. All frames of an animation use one library: frame_0001 becomes
+// frame.
+std::string library_stem(const fs::path& model) {
+  std::string stem = model.stem().string();
+  const auto end = stem.find_last_not_of("0123456789");
+  if (end != 0 && end != std::string::npos && stem.size() - end > 3 && (stem[end] == '_' || stem[end] == '-'))
+    stem.resize(end);
+  return stem;
+}
+
+// Puts external images and the material library of a new file into its folder, without replacing any file.
+// Sets the name of the library.
+void put_materials(const fs::path& path, const Format& format, Attributes& a, base::FilesTogether& files,
+                   std::string& library, std::vector<std::string>& notes) {
+  if (!format.holds(held::textures) || a.materials.empty()) return;
+  std::ranges::move(format.embeds_images ? embed_images(a)
+                                         : put_images_beside(path, format.holds(held::materials), a, files),
+                    std::back_inserter(notes));
+  if (!format.write_library) return;
+  complete_materials(a);
+  std::string text;
+  TextWriter out([&](std::string_view bytes) { text += bytes; });
+  format.write_library(a, out);
+  out.finish();
+  const fs::path file = base::unused_name(
+      path.parent_path() / (library_stem(path) + "." + std::string(format.library_extension)),
+      [&](const fs::path& old) { return FileBytes(old, nullptr).view() == text; });
+  library = file.filename().string();
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) files.put(file, [&](const base::ByteSink& sink) { sink(text); });
 }
 
 [[noreturn]] void refuse_splats(const fs::path& file, const char* advice) {
@@ -161,9 +218,16 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
                       std::string(format.name) + " stores only triangles, and the model has no triangles",
                       "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   std::vector<std::string> notes;
-  const Attributes now = converted(format, content, original, notes);
-  const Content what{content.surface, content.positions, content.comments, &now, content.splats};
-  write_as(path, digits, progress, [&](TextWriter& out) { format.write(what, out); });
+  Attributes now = converted(format, content, original, notes);
+  Content what{content.surface, content.positions, content.comments, &now, content.splats};
+  base::FilesTogether files;
+  put_materials(path, format, now, files, what.library, notes);
+  files.put(path, [&](const base::ByteSink& sink) {
+    TextWriter out(sink, progress, digits);
+    format.write(what, out);
+    out.finish();
+  });
+  files.replace();
   return notes;
 }
 
@@ -181,7 +245,8 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
   check_written(path.string(), content.positions);
   std::vector<std::string> notes;
   if (writes_itself(original, path)) return original->write_animated(path, content, motion, progress);
-  const Attributes now = converted(format, content, original, notes);
+  Attributes now = converted(format, content, original, notes);
+  std::ranges::move(embed_images(now), std::back_inserter(notes));
   const Content what{content.surface, content.positions, content.comments, &now};
   write_as(path, {}, nullptr, [&](TextWriter& out) {
     write_gltf_animated(what, motion, format.write == write_glb, out, progress);

@@ -18,7 +18,13 @@ inline foreign::Scene full_scene() {
   a.corner_normal = {0, 0, 0, 0, 1, 1, mesh::none};
   a.colors.assign(5, {0.25F, 0.5F, 0.75F, 1});
   a.groups = {{0, "box", "side", 1, true}, {1, "box", "", mesh::none, false}};
-  a.materials = {{"red", {1, 0, 0, 1}, mesh::none, true}, {"wood", {1, 1, 1, 0.5F}, 1, false}};
+  a.materials = {{.name = "red", .base_color = {1, 0, 0, 1}, .metallic = 1, .emission_image = 0},
+                 {.name = "wood",
+                  .base_color = {1, 1, 1, 0.5F},
+                  .roughness = 0.25F,
+                  .base_color_image = 1,
+                  .is_translucent = true,
+                  .repeats = false}};
   a.images = {{"/folder/a.png", nullptr, "a.png"},
               {{}, std::make_shared<const std::string>("\x89PNG"), "b.png"}};
   scene.targets = {{"smile", scene.positions}};

@@ -45,10 +45,10 @@ struct Converted : test::TemporaryFolder {
 
 }  // namespace
 
-TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials") {
+TEST_CASE("conversion_keeps_texture_points_normals_colours_groups_and_materials") {
   Converted c;
-  CHECK(c.to("out.obj") == Notes{"left out of the OBJ file: groups, materials, textures"});
-  CHECK(c.entries() == 3);
+  CHECK(c.to("out.obj").empty());
+  CHECK(c.entries() == 4);
   const ReadResult out = formats::read(c / "out.obj");
   CHECK(out.surface.positions == c.moved);
   REQUIRE(out.attributes);
@@ -56,16 +56,21 @@ TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials"
   CHECK(now.texture_points == before.texture_points);
   CHECK(now.corner_texture == before.corner_texture);
   CHECK(now.colors == before.colors);
-  CHECK(now.materials.empty());
-  REQUIRE(now.groups.size() == 1);
-  CHECK(!now.groups[0].smooth);
+  REQUIRE(now.groups.size() == before.groups.size());
+  for (std::size_t g = 0; g < now.groups.size(); ++g) {
+    CHECK(now.groups[g].first_polygon == before.groups[g].first_polygon);
+    CHECK(now.groups[g].object == "thing");
+    CHECK(now.groups[g].name == "part");
+    CHECK(!now.groups[g].smooth);
+    CHECK(now.materials[now.groups[g].material].name == before.materials[before.groups[g].material].name);
+  }
   for (const std::uint32_t n : now.corner_normal) CHECK(norm(now.normals[n] - Vec3{0, -1, 0}) < 1e-12);
 }
 
 TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
   Converted c;
   CHECK(c.to("out.ply") == Notes{"left out of the PLY file: several normals of a vertex, "
-                                 "groups, materials, textures"});
+                                 "groups, materials"});
   const ReadResult out = formats::read(c / "out.ply");
   CHECK(out.surface.positions == c.moved);
   CHECK(out.attributes->colors == c.read.attributes->colors);
@@ -102,7 +107,7 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   parts.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 2;
   CHECK(holds(convert(test::read_kept(parts.glb(), "glb"), c / "a.ply", true).at(0),
-              "textures, animations, morph targets, second texture coordinates"));
+              "materials, animations, morph targets, second texture coordinates"));
 }
 
 TEST_CASE("conversion_names_comments_headers_attributes_extras_and_extensions") {

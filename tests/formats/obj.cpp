@@ -347,13 +347,38 @@ TEST_CASE("mtl_colours_opacity_and_images_are_read") {
   REQUIRE(all.size() == 4);
   CHECK(all[0].material.name == "red one");
   CHECK(all[0].material.base_color == Color{1, 0.5F, 0, 0.25F});
-  CHECK(all[0].image == "/models/red.png");
+  CHECK(all[0].maps.at(all[0].material.base_color_image) == "/models/red.png");
   CHECK(all[0].material.repeats);
   CHECK(all[1].material.base_color == Color{0.5F, 0.5F, 0.5F, 0.75F});
-  CHECK(all[1].image == "/models/sub/my picture.jpg");
+  CHECK(all[1].maps.at(all[1].material.base_color_image) == "/models/sub/my picture.jpg");
   CHECK(!all[1].material.repeats);
   CHECK(all[2].material.base_color == Color{1, 0, 0.5F, 1});
-  CHECK(all[2].image.empty());
+  CHECK(all[2].material.base_color_image == mesh::none);
+}
+
+TEST_CASE("mtl_metallic_roughness_emission_and_their_maps_are_read") {
+  const auto all = materials_of(
+      "newmtl a\nNs 250\nPm 0.25\nKe 0.5 0 1\nmap_Bump -bm 2 bumps.png\nnorm n.png\nmap_Ke e.png\nmap_Ks "
+      "s.png\n"
+      "newmtl b\nPr 0.75\nNs 1000\nmap_Pm -imfchan b mr.png\nmap_Kd c.png\nmap_d c.png\n"
+      "newmtl c\nPr 2\nmap_Pr r.png\nmap_d o.png\ndisp d.png\n");
+  REQUIRE(all.size() == 3);
+  const Material &a = all[0].material, &b = all[1].material, &c = all[2].material;
+  CHECK(a.roughness == 0.5F);
+  CHECK(a.metallic == 0.25F);
+  CHECK(a.emission == Color{0.5F, 0, 1, 1});
+  CHECK(all[0].maps.at(a.normal_image) == "/models/n.png");
+  CHECK(all[0].maps.at(a.emission_image) == "/models/e.png");
+  CHECK(all[0].ignored == std::set<std::string>{"map_Ks"});
+  CHECK(b.roughness == 0.75F);
+  CHECK(b.metallic == 1);  // the image alone
+  CHECK(all[1].maps.at(b.metallic_image) == "/models/mr.png");
+  CHECK(b.is_translucent);
+  CHECK(all[1].ignored.empty());
+  CHECK(c.roughness == 1);
+  CHECK(all[2].maps.at(c.roughness_image) == "/models/r.png");
+  CHECK(!c.is_translucent);
+  CHECK(all[2].ignored == std::set<std::string>{"disp", "map_d"});
 }
 
 TEST_CASE("missing_or_invalid_libraries_cause_a_warning") {

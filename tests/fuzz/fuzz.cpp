@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "formats/materials.h"
 #include "formats/obj_file.h"
 #include "formats/point_cache.h"
 #include "fuzz/checks.h"
@@ -27,7 +28,11 @@ void check_materials(std::string_view bytes) {
   require(materials.size() <= bytes.size());
   for (const auto& m : materials) {
     for (const float x : m.material.base_color) require(x >= 0 && x <= 1);
-    require(m.image.empty() || m.image.is_absolute());
+    for (const formats::MaterialNumber& property : formats::material_numbers)
+      require(m.material.*property.number >= 0 && m.material.*property.number <= 1);
+    for (const formats::MaterialImage& property : formats::material_images)
+      require(m.material.*property.image == mesh::none || m.material.*property.image < m.maps.size());
+    for (const auto& map : m.maps) require(map.is_absolute());
   }
 }
 
