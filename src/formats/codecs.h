@@ -81,9 +81,9 @@ ReadResult read_gltf(const Source& source);
 bool looks_like_gltf(const Source& source);
 /// Returns true for a GLB file of version 2, or for JSON with an asset of version 2.
 bool is_certainly_gltf(const Beginning& file);
-/// Writes one node with one mesh, and one primitive for each material: float positions, texture points,
-/// normals, colours. Images must have bytes; see embed_images().
-/// Far from the origin, positions are relative to the node's translation. Computes missing normals. A surface
+/// Writes a node with a mesh for each run of polygons of an object, and a primitive for each of its
+/// materials: float positions, texture points, normals, colours. Images must have bytes; see embed_images().
+/// Far from the origin, positions are relative to the nodes' translation. Computes missing normals. A surface
 /// that is_flat() and has no normals stays without normals, because viewers then use flat shading. Polygons
 /// become triangles. If the GLB exceeds 4 GB, throws base::Error.
 void write_glb(const Content& content, TextWriter& out);

@@ -25,7 +25,7 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .up = 'y',
           .in_metres = true,
           .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals |
-                      textures | materials};
+                      objects | textures | materials};
 }
 
 // Returns a list without duplicates: "a, b or c".
@@ -52,7 +52,7 @@ std::span<const Format> all_formats() {
        .write_library = write_mtl,
        .library_extension = "mtl",
        .keeps_order = true,
-       .all_held = polygons | points | texture_points | colors | normals | corner_normals | groups |
+       .all_held = polygons | points | texture_points | colors | normals | corner_normals | objects | groups |
                    textures | materials},
       {.extension = "ply",
        .name = "PLY",

@@ -24,9 +24,10 @@ enum What : unsigned {
   corner_normals = 1 << 6,  ///< several normals per vertex
   both_colors = 1 << 7,     ///< colors and polygon_colors in one file
   splats = 1 << 8,          ///< Gaussian splats
-  groups = 1 << 9,
-  textures = 1 << 10,  ///< images of the base colour
-  materials = 1 << 11  ///< all properties of Material, with images
+  objects = 1 << 9,         ///< names of objects
+  groups = 1 << 10,         ///< names of groups
+  textures = 1 << 11,       ///< images of the base colour
+  materials = 1 << 12,      ///< all properties of Material, with images
 };
 }  // namespace held
 

@@ -293,6 +293,14 @@ struct HashOfVertex {
   }
 };
 
+// Consecutive polygons of the same object, which become a node with a mesh.
+struct OutputObject {
+  std::string name;
+  std::vector<OutputVertex> vertices;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> indices;  ///< of the triangles of each material
+  MorphedVertices written;
+};
+
 class GltfMaker {
 public:
   explicit GltfMaker(const Content& content)
@@ -300,12 +308,10 @@ public:
     document["asset"] = {{"version", "2.0"}, {"generator", "viete"}};
     if (!content.comments.empty()) document["asset"]["extras"] = {{"comments", content.comments}};
     document["scene"] = 0;
-    document["scenes"][0]["nodes"].push_back(0);
-    document["nodes"].push_back({{"mesh", 0}});
     list_normals();
     list_vertices();
     choose_origin();
-    add_primitives();
+    for (OutputObject& object : objects_) add_object(object);
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
 
@@ -317,10 +323,15 @@ public:
     mesh::Surface base = surface_;
     base.positions.assign(positions_.begin(), positions_.end());
     GltfMorphs out(document, bytes);
-    constexpr std::size_t node = 0;
+    std::vector<std::size_t> nodes;
+    std::size_t floats = 0;
+    for (const OutputObject& object : objects_) {
+      nodes.push_back(object.written.node);
+      floats += object.written.positions.size() + (motion.normals ? object.written.normals.size() : 0);
+    }
     out.add(
-        motion, {&node, 1}, written_.positions.size() + (motion.normals ? written_.normals.size() : 0),
-        progress, [&](const std::vector<mesh::Point>& now) { add_target(out, base, now, motion.normals); },
+        motion, nodes, floats, progress,
+        [&](const std::vector<mesh::Point>& now) { add_target(out, base, now, motion.normals); },
         [](int) { return std::vector<double>(); });
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
@@ -348,6 +359,7 @@ private:
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
     std::map<Color, std::uint32_t> first_with_color;  // the first face with each colour
     const bool faces_colored = !given_.polygon_colors.empty() && given_.colors.empty();
+    const Group no_group;
     std::size_t t = 0, group = 0;
     for_each_triangle(surface_, [&](const mesh::Triangle& triangle, const mesh::Triangle& corners) {
       const std::uint32_t polygon = surface_.triangle_polygon[t++];
@@ -355,26 +367,34 @@ private:
           faces_colored ? first_with_color.try_emplace(given_.polygon_colors[polygon], polygon).first->second
                         : mesh::none;
       while (group + 1 < given_.groups.size() && given_.groups[group + 1].first_polygon <= polygon) ++group;
-      auto& indices = indices_[given_.groups.empty() ? mesh::none : given_.groups[group].material];
+      const Group& of = given_.groups.empty() ? no_group : given_.groups[group];
+      if (objects_.empty() || objects_.back().name != of.object) {
+        objects_.push_back({of.object, {}, {}, {}});
+        numbers.clear();
+      }
+      OutputObject& object = objects_.back();
       for (std::size_t k = 0; k < 3; ++k) {
         const OutputVertex v{triangle[k],
                              given_.corner_texture.empty() ? mesh::none : given_.corner_texture[corners[k]],
                              corner_normal_[corners[k]], color};
-        const auto [at, added] = numbers.try_emplace(v, static_cast<std::uint32_t>(vertices_.size()));
-        if (added) vertices_.push_back(v);
-        indices.push_back(at->second);
+        const auto [at, added] = numbers.try_emplace(v, static_cast<std::uint32_t>(object.vertices.size()));
+        if (added) object.vertices.push_back(v);
+        object.indices[of.material].push_back(at->second);
       }
     });
-    if (!vertices_.empty()) return;
+    if (!objects_.empty()) return;
+    objects_.emplace_back();
     for (std::uint32_t v = 0; v < positions_.size(); ++v)
-      vertices_.push_back({v, mesh::none, mesh::none, mesh::none});
+      objects_[0].vertices.push_back({v, mesh::none, mesh::none, mesh::none});
   }
 
   // Far from the origin, floats are too coarse for the model. Then the node's translation is its centre, as
   // floats if they are precise enough, because many programs read the translation in single precision.
   void choose_origin() {
-    mesh::Bounds box{positions_[vertices_[0].vertex], positions_[vertices_[0].vertex]};
-    for (const OutputVertex& v : vertices_) mesh::extend(box, positions_[v.vertex]);
+    const mesh::Point& first = positions_[objects_[0].vertices[0].vertex];
+    mesh::Bounds box{first, first};
+    for (const OutputObject& object : objects_)
+      for (const OutputVertex& v : object.vertices) mesh::extend(box, positions_[v.vertex]);
     const double size = box.diagonal(),
                  far = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
     if (far <= 4 * size || far > largest_float) return;
@@ -382,19 +402,24 @@ private:
       const double centre = box.low[k] / 2 + box.high[k] / 2, rounded = static_cast<float>(centre);
       origin_[k] = std::abs(rounded - centre) <= size ? rounded : centre;
     }
-    document["nodes"][0]["translation"] = origin_;
   }
 
   // Unmoved vertices get exactly the values of the file, so that the offsets are exactly 0.
   void add_target(GltfMorphs& out, const mesh::Surface& base, std::span<const mesh::Point> now,
                   bool with_normals) const {
-    const bool turns = with_normals && !written_.normals.empty();
     std::vector<mesh::Vec3> normals;
-    if (turns) normals = deformed_normals(base, now, normals_, corner_normal_);
-    std::vector<double> places(written_.positions.begin(), written_.positions.end()), turned;
-    if (turns) turned.assign(written_.normals.begin(), written_.normals.end());
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const OutputVertex& v = vertices_[i];
+    if (with_normals && !normals_.empty()) normals = deformed_normals(base, now, normals_, corner_normal_);
+    for (const OutputObject& object : objects_) add_target(out, object, now, normals);
+  }
+
+  void add_target(GltfMorphs& out, const OutputObject& object, std::span<const mesh::Point> now,
+                  std::span<const mesh::Vec3> normals) const {
+    const MorphedVertices& written = object.written;
+    const bool turns = !normals.empty() && !written.normals.empty();
+    std::vector<double> places(written.positions.begin(), written.positions.end()), turned;
+    if (turns) turned.assign(written.normals.begin(), written.normals.end());
+    for (std::size_t i = 0; i < object.vertices.size(); ++i) {
+      const OutputVertex& v = object.vertices[i];
       const auto at = static_cast<std::ptrdiff_t>(3 * i);
       if (now[v.vertex] != positions_[v.vertex])
         std::ranges::copy(now[v.vertex] - origin_, places.begin() + at);
@@ -403,30 +428,41 @@ private:
       const double length = mesh::norm(n);
       if (n != normals_[v.normal] && length > 0) std::ranges::copy((1 / length) * n, turned.begin() + at);
     }
-    out.add_target(written_, places, turned, {});
+    out.add_target(written, places, turned, {});
   }
 
   // The primitives have the same vertices. Each has the triangles of a material.
-  void add_primitives() {
-    GltfJson primitive = vertices_of_primitives(), all = GltfJson::array();
-    if (indices_.empty()) {
+  void add_object(OutputObject& object) {
+    GltfJson primitive = vertices_of_primitives(object), all = GltfJson::array();
+    if (object.indices.empty()) {
       primitive["mode"] = gltf_points;
       all.push_back(primitive);
     }
-    for (const auto& [material, indices] : indices_) {
+    for (const auto& [material, indices] : object.indices) {
       primitive["indices"] =
           add_accessor(indices.data(), indices.size(), 1, gltf_unsigned_int, gltf_element_buffer);
       primitive.erase("material");
-      if (material < given_.materials.size())
-        primitive["material"] = add_material(given_.materials[material]);
+      if (material < given_.materials.size()) primitive["material"] = material_number(material);
       all.push_back(primitive);
     }
-    for (std::size_t i = 0; i < all.size(); ++i) written_.primitives.push_back(i);
-    document["meshes"][0]["primitives"] = std::move(all);
+    for (std::size_t i = 0; i < all.size(); ++i) object.written.primitives.push_back(i);
+    const std::size_t node = object.written.node = list_of(document, "nodes").size();
+    document["scenes"][0]["nodes"].push_back(node);
+    document["meshes"].push_back({{"primitives", std::move(all)}});
+    document["nodes"].push_back({{"mesh", node}});
+    if (!object.name.empty()) document["nodes"][node]["name"] = object.name;
+    if (origin_ != mesh::Vec3{0, 0, 0}) document["nodes"][node]["translation"] = origin_;
+  }
+
+  // Returns the index in the document. The first use adds the material.
+  std::size_t material_number(std::uint32_t material) {
+    const auto [at, is_new] = material_numbers_.try_emplace(material, material_numbers_.size());
+    if (is_new) add_material(given_.materials[material]);
+    return at->second;
   }
 
   // Back faces are visible, because most formats cannot hide them.
-  std::size_t add_material(const Material& m) {
+  void add_material(const Material& m) {
     GltfJson made = {{"name", m.name}, {"doubleSided", true}}, surface;
     const auto linear = [](const Color& c) {
       return GltfJson{linear_of_srgb(c[0]), linear_of_srgb(c[1]), linear_of_srgb(c[2])};
@@ -441,7 +477,6 @@ private:
     made["emissiveFactor"] = linear(m.emission);
     if (m.is_translucent || m.base_color[3] < 1) made["alphaMode"] = "BLEND";
     document["materials"].push_back(made);
-    return document["materials"].size() - 1;
   }
 
   std::size_t add_texture(std::uint32_t image, bool repeats) {
@@ -463,32 +498,36 @@ private:
     return document["textures"].size() - 1;
   }
 
-  GltfJson vertices_of_primitives() {
+  GltfJson vertices_of_primitives(OutputObject& object) {
     GltfJson made = {{"attributes", GltfJson::object()}};
     GltfJson& attributes = made["attributes"];
     const auto has = [&](std::uint32_t OutputVertex::*part) {
-      return std::ranges::any_of(vertices_, [&](const auto& v) { return v.*part != mesh::none; });
+      return std::ranges::any_of(object.vertices, [&](const auto& v) { return v.*part != mesh::none; });
     };
-    written_.positions = add_vectors(attributes["POSITION"], 3, [&](const OutputVertex& v, float* to) {
-      check_written("glTF", v.vertex, positions_[v.vertex], largest_float);
-      for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k] - origin_[k]);
-    });
+    object.written.positions =
+        add_vectors(object.vertices, attributes["POSITION"], 3, [&](const OutputVertex& v, float* to) {
+          check_written("glTF", v.vertex, positions_[v.vertex], largest_float);
+          for (std::size_t k = 0; k < 3; ++k)
+            to[k] = static_cast<float>(positions_[v.vertex][k] - origin_[k]);
+        });
     if (has(&OutputVertex::normal)) {
-      written_.normals = add_vectors(attributes["NORMAL"], 3, [&](const OutputVertex& v, float* to) {
-        const mesh::Vec3& n = normals_[v.normal];
-        const double length = mesh::norm(n);
-        for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(length > 0 ? n[k] / length : k == 2);
-      });
+      object.written.normals =
+          add_vectors(object.vertices, attributes["NORMAL"], 3, [&](const OutputVertex& v, float* to) {
+            const mesh::Vec3& n = normals_[v.normal];
+            const double length = mesh::norm(n);
+            for (std::size_t k = 0; k < 3; ++k)
+              to[k] = static_cast<float>(length > 0 ? n[k] / length : k == 2);
+          });
     }
     if (has(&OutputVertex::texture)) {
-      add_vectors(attributes["TEXCOORD_0"], 2, [&](const OutputVertex& v, float* to) {
+      add_vectors(object.vertices, attributes["TEXCOORD_0"], 2, [&](const OutputVertex& v, float* to) {
         const Vec2 p = v.texture == mesh::none ? Vec2{0, 0} : given_.texture_points[v.texture];
         to[0] = static_cast<float>(p[0]);
         to[1] = static_cast<float>(1 - p[1]);
       });
     }
     if (!given_.colors.empty() || has(&OutputVertex::color)) {
-      add_vectors(attributes["COLOR_0"], 4, [&](const OutputVertex& v, float* to) {
+      add_vectors(object.vertices, attributes["COLOR_0"], 4, [&](const OutputVertex& v, float* to) {
         const Color& c = v.color == mesh::none ? given_.colors[v.vertex] : given_.polygon_colors[v.color];
         for (std::size_t k = 0; k < 4; ++k) to[k] = static_cast<float>(k < 3 ? linear_of_srgb(c[k]) : c[k]);
       });
@@ -496,13 +535,14 @@ private:
     return made;
   }
 
-  // Adds an accessor with values of all vertices. Stores the accessor's index in `attribute`.
+  // Adds an accessor with values of the vertices. Stores the accessor's index in `attribute`.
   template <class Fill>
-  std::vector<float> add_vectors(GltfJson& attribute, std::size_t components, const Fill& fill) {
-    std::vector<float> values(vertices_.size() * components);
-    for (std::size_t i = 0; i < vertices_.size(); ++i) fill(vertices_[i], &values[i * components]);
+  std::vector<float> add_vectors(const std::vector<OutputVertex>& vertices, GltfJson& attribute,
+                                 std::size_t components, const Fill& fill) {
+    std::vector<float> values(vertices.size() * components);
+    for (std::size_t i = 0; i < vertices.size(); ++i) fill(vertices[i], &values[i * components]);
     const std::size_t accessor =
-        add_accessor(values.data(), vertices_.size(), components, gltf_float, gltf_array_buffer);
+        add_accessor(values.data(), vertices.size(), components, gltf_float, gltf_array_buffer);
     if (components == 3) set_gltf_bounds(document["accessors"][accessor], values, components);
     attribute = accessor;
     return values;
@@ -524,10 +564,9 @@ private:
   const Attributes& given_;
   std::vector<mesh::Vec3> normals_;
   std::vector<std::uint32_t> corner_normal_;  // indices into normals_
-  std::vector<OutputVertex> vertices_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> indices_;  // of the triangles of each material
-  std::map<std::uint32_t, std::size_t> image_numbers_;           // indices in the document's images
-  MorphedVertices written_;
+  std::vector<OutputObject> objects_;
+  // For each material or image that is used, its index in the document.
+  std::map<std::uint32_t, std::size_t> material_numbers_, image_numbers_;
 };
 
 // Replaces bytes that are not UTF-8. Names from other files may contain such bytes.

@@ -39,8 +39,9 @@ bool has_materials(const Attributes& a, bool but_textures) {
 
 std::vector<std::string> names_of_left_out(const Format& format, const mesh::Surface& surface,
                                            const Attributes& a, const Attributes& deformed) {
-  const bool is_named =
-      std::ranges::any_of(a.groups, [](const Group& g) { return !g.object.empty() || !g.name.empty(); });
+  const auto are_named = [&](std::string Group::*name) {
+    return std::ranges::any_of(a.groups, [&](const Group& g) { return !(g.*name).empty(); });
+  };
   const bool normals = format.holds(held::normals);
   const bool normals_fit =
       format.holds(held::corner_normals) || (normals && one_a_vertex(surface, deformed.corner_normal));
@@ -55,7 +56,8 @@ std::vector<std::string> names_of_left_out(const Format& format, const mesh::Sur
       {"colours of faces", !a.polygon_colors.empty(),
        deformed.polygon_colors.empty() ||
            (format.holds(held::polygon_colors) && (a.colors.empty() || format.holds(held::both_colors)))},
-      {"groups", is_named, format.holds(held::groups)},
+      {"objects", are_named(&Group::object), format.holds(held::objects)},
+      {"groups", are_named(&Group::name), format.holds(held::groups)},
       {"materials", has_materials(a, format.holds(held::textures)), format.holds(held::materials)}};
   std::vector<std::string> names;
   for (const Kind& kind : kinds)

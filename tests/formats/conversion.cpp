@@ -70,7 +70,7 @@ TEST_CASE("conversion_keeps_texture_points_normals_colours_groups_and_materials"
 TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
   Converted c;
   CHECK(c.to("out.ply") == Notes{"left out of the PLY file: several normals of a vertex, "
-                                 "groups, materials"});
+                                 "objects, groups, materials"});
   const ReadResult out = formats::read(c / "out.ply");
   CHECK(out.surface.positions == c.moved);
   CHECK(out.attributes->colors == c.read.attributes->colors);
@@ -87,7 +87,7 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
   CHECK(c.to("out.off").size() == 1);
   CHECK(formats::read(c / "out.off").attributes->colors == c.read.attributes->colors);
   CHECK(c.to("out.stl") == Notes{"left out of the STL file: texture coordinates, normals, "
-                                 "colours, groups, materials, textures"});
+                                 "colours, objects, groups, materials, textures"});
   CHECK(formats::read(c / "out.stl").surface.triangles.size() == 2);
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const ReadResult obj = test::read_kept(triangle + "l 1 2\nl 2 3\np 1\nlod 3\n", "obj");
@@ -145,15 +145,17 @@ TEST_CASE("conversion_names_comments_headers_attributes_extras_and_extensions") 
         "colours of faces");
 }
 
-TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
+TEST_CASE("gltf_stores_a_mesh_of_triangles_for_each_object_and_comments_that_are_not_utf8") {
   const test::TemporaryFolder folder;
   const ReadResult square = test::read_kept(
       "# caf\xE9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no one\nf 1 2 3 4\no two\nf 4 3 2 1\n", "obj");
   for (const char* name : {"a.glb", "a.gltf"}) {
     const Content content{square.surface, square.surface.positions, square.comments, square.attributes.get()};
     CHECK(formats::write(folder / name, content, nullptr, {}) ==
-          Notes{"left out of the glTF file: groups", "2 faces of more than three corners became triangles"});
-    CHECK(formats::read(folder / name).surface.positions.size() == 4);
+          Notes{"2 faces of more than three corners became triangles"});
+    const ReadResult read = formats::read(folder / name);
+    CHECK(read.surface.positions.size() == 8);
+    CHECK(read.attributes->groups.at(1).object == "two");
   }
 }
 

@@ -374,11 +374,16 @@ TEST_CASE("models_of_other_formats_become_glb_with_targets") {
     const Content content{r.surface, r.surface.positions, r.comments, r.attributes.get()};
     test::write_morphs(folder / name, content, r.original.get(), wave.animation);
     const MorphJudge judge(folder / name);
-    for (std::size_t key = 0; key < 4; ++key)
-      check_near(judge.shown(0, 0, "POSITION", key), wave.positions[key]);
-    const auto turned = judge.shown(0, 0, "NORMAL", 1), flat = judge.shown(0, 0, "NORMAL", 0);
-    CHECK(flat[14] == doctest::Approx(1));
-    CHECK(turned[12] / turned[14] == doctest::Approx(-2.5));  // z = 0.5 * x^2, from x = 2 to x = 3
+    for (std::size_t key = 0; key < 4; ++key) {
+      const std::span all(wave.positions[key]);
+      check_near(judge.shown(0, 0, "POSITION", key), all.first(4));
+      check_near(judge.shown(1, 0, "POSITION", key), all.subspan(4));
+    }
+    CHECK(judge.model.nodes.at(1).name == "right");
+    CHECK(judge.model.animations.at(0).channels.size() == 2);
+    const auto turned = judge.shown(1, 0, "NORMAL", 1), flat = judge.shown(1, 0, "NORMAL", 0);
+    CHECK(flat[2] == doctest::Approx(1));
+    CHECK(turned[0] / turned[2] == doctest::Approx(-2.5));  // z = 0.5 * x^2, from x = 2 to x = 3
     const auto clip = read(folder / name).original->morphs();
     check_near(clip->at_key(2), wave.positions[2]);
   }
