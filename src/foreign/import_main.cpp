@@ -24,6 +24,7 @@
 #include "base/picture.h"
 #include "base/text.h"
 #include "foreign/scene.h"
+#include "formats/materials.h"
 #include "formats/source.h"
 
 namespace {
@@ -104,7 +105,11 @@ class MaterialReader {
 public:
   MaterialReader(const aiScene& scene, const fs::path& file, const FolderFiles& files,
                  formats::Attributes& attributes)
-      : scene_(scene), folder_(formats::folder_of(file)), files_(files), attributes_(attributes) {}
+      : scene_(scene),
+        folder_(formats::folder_of(file)),
+        like_blender_(formats::extension_of(file) == "fbx" || formats::extension_of(file) == "blend"),
+        files_(files),
+        attributes_(attributes) {}
 
   // Returns an index into Attributes::materials, or mesh::none.
   std::uint32_t use(unsigned index) {
@@ -149,10 +154,11 @@ private:
     }
   }
 
-  static void take_numbers(const aiMaterial& from, formats::Material& material) {
-    float exponent = 0;  // Blender 3.4 writes FBX with this exponent of roughness
+  void take_numbers(const aiMaterial& from, formats::Material& material) const {
+    float exponent = 0;
     if (from.Get(AI_MATKEY_SHININESS, exponent) == AI_SUCCESS && exponent > 0)
       material.roughness = 1 - std::sqrt(exponent) / 10;
+    if (like_blender_) (void)from.Get(AI_MATKEY_REFLECTIVITY, material.metallic);
     (void)from.Get(AI_MATKEY_METALLIC_FACTOR, material.metallic);
     (void)from.Get(AI_MATKEY_ROUGHNESS_FACTOR, material.roughness);
     // A texture replaces the number.
@@ -163,20 +169,26 @@ private:
   }
 
   // A texture replaces the colour: many programs leave an unused colour in the file.
-  static void take_colors(const aiMaterial& from, formats::Material& material) {
+  void take_colors(const aiMaterial& from, formats::Material& material) const {
     aiColor4D color(1, 1, 1, 1);
     const bool is_colored = material.base_color_image != mesh::none ||
                             from.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
                             from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS;
     float opacity = 1;
     if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0) color.a = opacity;
-    if (is_colored) material.base_color = color_of(color);
+    if (is_colored) material.base_color = file_color(color);
     aiColor4D light(0, 0, 0, 1);
     if (material.emission_image != mesh::none)
       light = {1, 1, 1, 1};
     else
       (void)from.Get(AI_MATKEY_COLOR_EMISSIVE, light);
-    material.emission = color_of(light);
+    material.emission = file_color(light);
+  }
+
+  formats::Color file_color(const aiColor4D& from) const {
+    formats::Color color = color_of(from);
+    for (std::size_t k = 0; like_blender_ && k < 3; ++k) color[k] = formats::srgb_of_linear(color[k]);
+    return color;
   }
 
   std::uint32_t image_of(const std::string& name) {
@@ -221,6 +233,7 @@ private:
 
   const aiScene& scene_;
   fs::path folder_;
+  bool like_blender_;  // true for formats whose colours and numbers are written like in Blender 3.4
   const FolderFiles& files_;
   formats::Attributes& attributes_;
   std::map<unsigned, std::uint32_t> used_;

@@ -69,6 +69,55 @@ TEST_CASE("groups_materials_texture_points_normals_and_colours_are_read") {
   CHECK(read.warnings.empty());
 }
 
+TEST_CASE("properties_of_fbx_materials_are_read_as_blender_writes_them") {
+  const Models models;
+  test::put_file(models / "glow.png", "an image");
+  (void)models.changed("smile.fbx", "\t\tGeometryVersion: 124\n",
+                       R"(		GeometryVersion: 124
+		LayerElementMaterial: 0 {
+			MappingInformationType: "AllSame"
+			ReferenceInformationType: "IndexToDirect"
+			Materials: *1 {
+				a: 0
+			}
+		}
+		Layer: 0 {
+			LayerElement:  {
+				Type: "LayerElementMaterial"
+				TypedIndex: 0
+			}
+		}
+)");
+  (void)models.changed("smile.fbx", "\tDeformer: 4,",
+                       R"(	Material: 6, "Material::Paint", "" {
+		ShadingModel: "Phong"
+		Properties70:  {
+			P: "DiffuseColor", "Color", "", "A",0.2140411,0,1
+			P: "Opacity", "double", "Number", "",0.5
+			P: "Shininess", "double", "Number", "",25
+			P: "ReflectionFactor", "double", "Number", "",0.25
+		}
+	}
+	Texture: 7, "Texture::glow", "" {
+		FileName: "C:\elsewhere\glow.png"
+		RelativeFilename: "glow.png"
+	}
+	Deformer: 4,)");
+  const formats::ReadResult read = models.changed(
+      "smile.fbx", "\tC: \"OO\",2,0", "\tC: \"OO\",2,0\n\tC: \"OO\",6,2\n\tC: \"OP\",7,6, \"EmissiveColor\"");
+  REQUIRE(read.attributes);
+  REQUIRE(read.attributes->materials.size() == 1);
+  const formats::Material& m = read.attributes->materials[0];
+  CHECK(m.name == "Paint");
+  CHECK(m.base_color[0] == doctest::Approx(0.5));  // the file has linear colours
+  CHECK(m.base_color[1] == 0);
+  CHECK(m.base_color[3] == 0.5F);
+  CHECK(m.roughness == 0.5F);
+  CHECK(m.metallic == 0.25F);
+  CHECK(m.emission == Color{1, 1, 1, 1});
+  CHECK(read.attributes->images.at(m.emission_image).name == "glow.png");
+}
+
 TEST_CASE("files_outside_the_folder_are_not_read") {
   const Models models;
   fs::create_directory(models / "inner");
