@@ -123,3 +123,44 @@ TEST_CASE("the_machine_reports_memory_and_processor_time") {
   CHECK(os::variable("VIETE_TEST_VARIABLE") == "\xC3\xA9");
   CHECK(os::variable("VIETE_NO_SUCH_VARIABLE").empty());
 }
+
+#ifdef __linux__
+#include <linux/landlock.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace {
+
+// What a confined process could do. Called in a child process, which must not use doctest.
+int freedoms(const test::TemporaryFolder& folder) {
+  os::confine_process({folder / "in", folder / "one"});
+  const auto reads = [&](const char* name) { return test::file_bytes(folder / name) == name; };
+  int found = 0;
+  if (!reads("in/a") || !reads("one")) found |= 1;
+  if (reads("two") || std::ofstream(folder / "in/new") || std::ofstream(folder / "one")) found |= 2;
+  if (socket(AF_INET, SOCK_STREAM, 0) >= 0 || errno != EPERM) found |= 4;
+  if (execl("/bin/true", "true", nullptr) == 0 || errno != EPERM) found |= 8;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a_confined_process_reads_only_the_given_files_and_has_no_network") {
+  if (syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 1)
+    return MESSAGE("this kernel has no Landlock, nothing to test");
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "in");
+  for (const char* name : {"in/a", "one", "two"}) test::put_file(folder / name, name);
+  const pid_t child = fork();
+  if (child == 0) _exit(freedoms(folder));
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(std::ofstream(folder / "in/new").good());  // this process is not confined
+}
+#endif
