@@ -2,12 +2,25 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
+#include "base/error.h"
 #include "base/progress.h"
 #include "formats/original.h"
 #include "formats/source.h"
 
 namespace viete::formats {
+
+/// Thrown for a glTF file with compressed meshes. foreign::read() reads such files.
+struct CompressedGltf : base::Error {
+  /// `names` lists the extensions that compress.
+  CompressedGltf(const std::string& file, const std::string& names)
+      : Error(file, "the meshes are compressed (" + names + "), which is not supported",
+              "export without compression"),
+        extensions(names) {}
+
+  std::string extensions;
+};
 
 /// Detects the format by content, then by extension. Throws base::Error with file, place and advice, or
 /// base::Cancelled. Compares declared sizes with the file size before it allocates memory. Rejects

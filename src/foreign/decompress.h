@@ -1,0 +1,14 @@
+// Decompresses glTF files, for the program viete-import.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace viete::foreign {
+
+/// Returns a GLB with the content of a file with KHR_draco_mesh_compression, EXT_meshopt_compression or, in
+/// its first version, KHR_meshopt_compression. All buffers are in the binary chunk; external images stay
+/// external. Compressed data is always decoded, also if the file has a fallback. Throws base::Error.
+std::string decompressed_gltf(const std::filesystem::path& file);
+
+}  // namespace viete::foreign
