@@ -13,6 +13,7 @@
 #endif
 
 #include "base/error.h"
+#include "base/os.h"
 #include "base/text.h"
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_morphs.h"
@@ -37,6 +38,7 @@ const Json& extension_of(const Json& json, const char* name) {
 }
 
 void erase_extension(Json& json, const char* name) {
+  if (!json.contains("extensions")) return;
   json["extensions"].erase(name);
   if (json["extensions"].empty()) json.erase("extensions");
 }
@@ -85,6 +87,15 @@ std::string decoded_by_meshopt(const std::string& place, const Packed& p) {
 }
 
 #endif
+
+// The decoders allocate memory for the counts of the file before they decode. Usual meshes need less than
+// this.
+void limit_memory(const formats::GltfFile& file) {
+  double bytes = 2e9;
+  for (const formats::GltfBuffer& buffer : file.buffers)
+    bytes += 512.0 * static_cast<double>(buffer.bytes.size());
+  base::os::limit_process(std::min(bytes, base::os::total_memory().value_or(bytes)), most_seconds);
+}
 
 class Decompressor {
 public:
@@ -350,7 +361,9 @@ std::string decompressed_gltf(const std::filesystem::path& file) {
   const formats::FileBytes bytes(file, nullptr);
   formats::Source source{file.string(), formats::extension_of(file), bytes.view()};
   source.folder = formats::folder_of(file);
-  return Decompressor(formats::take_apart(source, true)).glb();
+  formats::GltfFile taken = formats::take_apart(source, true);
+  limit_memory(taken);
+  return Decompressor(std::move(taken)).glb();
 }
 
 }  // namespace viete::foreign

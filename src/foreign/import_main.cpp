@@ -31,7 +31,7 @@ std::string output_or_failure(const std::string& file, bool decompresses) {
   try {
     return decompresses ? foreign::decompressed_gltf(file) : scene_of_file(file);
   } catch (const std::bad_alloc&) {
-    scene.failure = "it needs more memory than this computer has";
+    scene.failure = "it needs too much memory";
   } catch (const std::exception& error) {
     scene.failure = *error.what() ? error.what() : "it gives no reason";
     if (scene.failure.starts_with(file + ": ")) scene.failure.erase(0, file.size() + 2);
@@ -42,7 +42,6 @@ std::string output_or_failure(const std::string& file, bool decompresses) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr unsigned most_seconds = 600;  // processor time
   constexpr double usual_memory = 4e9;
   const auto words = base::os::start_program(argc, argv);
   const bool decompresses = words.size() == 2 && words.front() == "--decompress";
@@ -51,7 +50,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::FILE* const output = base::os::reserve_output();
-  base::os::limit_process(base::os::total_memory().value_or(usual_memory), most_seconds);
+  base::os::limit_process(base::os::total_memory().value_or(usual_memory), foreign::most_seconds);
   const std::string bytes = output_or_failure(words.back(), decompresses);
   const bool written = output && std::fwrite(bytes.data(), 1, bytes.size(), output) == bytes.size();
   return written && std::fclose(output) == 0 ? 0 : 1;
