@@ -1,5 +1,4 @@
-#include "foreign/assimp_scene.h"
-
+// Reads foreign files with Assimp, for the program viete-import.
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/material.h>
@@ -21,6 +20,7 @@
 
 #include "base/picture.h"
 #include "base/text.h"
+#include "foreign/readers.h"
 #include "formats/source.h"
 
 namespace viete::foreign {

@@ -1,8 +1,7 @@
-#include "foreign/decompress.h"
-
-#include <cstring>
+// Decompresses glTF files with Draco and meshoptimizer, for the program viete-import.
+#include <algorithm>
+#include <limits>
 #include <map>
-#include <memory>
 #include <tuple>
 #include <utility>
 #ifdef VIETE_DRACO
@@ -15,6 +14,7 @@
 #include "base/error.h"
 #include "base/os.h"
 #include "base/text.h"
+#include "foreign/readers.h"
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_morphs.h"
 #include "formats/gltf_output.h"
@@ -45,51 +45,50 @@ void erase_extension(Json& json, const char* name) {
 
 #ifdef VIETE_MESHOPT
 
-struct Packed {
-  std::size_t count, stride;
-  std::string mode, filter;
-  std::string_view bytes;
-};
-
-// Specification: EXT_meshopt_compression, https://github.com/KhronosGroup/glTF, 2021. The decoders require
-// these conditions. A byte of their streams contains at most 1024 bytes.
-void check(const std::string& place, const Packed& p) {
-  const bool attributes = p.mode == "ATTRIBUTES", triangles = p.mode == "TRIANGLES";
-  if (!attributes && !triangles && p.mode != "INDICES")
-    fail(place, "has the unknown mode " + p.mode.substr(0, 64));
-  const bool fits = attributes ? p.stride > 0 && p.stride <= 256 && p.stride % 4 == 0
-                               : (p.stride == 2 || p.stride == 4) && (!triangles || p.count % 3 == 0);
-  const bool filtered = p.filter == "NONE" || (attributes && p.filter == "EXPONENTIAL") ||
-                        (p.filter == "OCTAHEDRAL" && attributes && (p.stride == 4 || p.stride == 8)) ||
-                        (p.filter == "QUATERNION" && attributes && p.stride == 8);
-  if (!fits || !filtered)
-    fail(place, base::formatted("mode %.64s with filter %.64s cannot have %zu elements of %zu bytes",
-                                p.mode.c_str(), p.filter.c_str(), p.count, p.stride));
-  if (p.count > 1024 * p.bytes.size() / p.stride)
-    fail(place,
-         base::formatted("%zu elements do not fit into %zu compressed bytes", p.count, p.bytes.size()));
+// The decoders require these conditions.
+bool can_decode(const std::string& mode, const std::string& filter, std::size_t count, std::size_t stride) {
+  if (mode == "INDICES" || (mode == "TRIANGLES" && count % 3 == 0))
+    return (stride == 2 || stride == 4) && filter == "NONE";
+  const bool fits = filter == "NONE" || filter == "EXPONENTIAL" || (filter == "OCTAHEDRAL" && stride == 4) ||
+                    ((filter == "OCTAHEDRAL" || filter == "QUATERNION") && stride == 8);
+  return mode == "ATTRIBUTES" && stride > 0 && stride <= 256 && stride % 4 == 0 && fits;
 }
 
-std::string decoded_by_meshopt(const std::string& place, const Packed& p) {
-  check(place, p);
-  std::string decoded(p.count * p.stride, '\0');
+// Specification: EXT_meshopt_compression, https://github.com/KhronosGroup/glTF, 2021.
+std::string decoded_by_meshopt(const std::string& place, const Json& packed, std::string_view bytes) {
+  const std::size_t count = count_of(packed, "count").value_or(0),
+                    stride = count_of(packed, "byteStride").value_or(0);
+  const std::string mode = text_of(packed, "mode");
+  const std::string filter = packed.contains("filter") ? text_of(packed, "filter") : "NONE";
+  if (!can_decode(mode, filter, count, stride))
+    fail(place, base::formatted("mode %.64s with filter %.64s cannot have %zu elements of %zu bytes",
+                                mode.c_str(), filter.c_str(), count, stride));
+  if (count > 1024 * bytes.size() / stride)  // no stream is shorter
+    fail(place, base::formatted("%zu elements do not fit into %zu compressed bytes", count, bytes.size()));
   using Decode = int (*)(void*, std::size_t, std::size_t, const unsigned char*, std::size_t);
-  const Decode decode = p.mode == "ATTRIBUTES"  ? Decode{meshopt_decodeVertexBuffer}
-                        : p.mode == "TRIANGLES" ? Decode{meshopt_decodeIndexBuffer}
-                                                : Decode{meshopt_decodeIndexSequence};
-  const auto* const bytes = reinterpret_cast<const unsigned char*>(p.bytes.data());
-  if (decode(decoded.data(), p.count, p.stride, bytes, p.bytes.size()) != 0)
+  const Decode decode = mode == "ATTRIBUTES"  ? Decode{meshopt_decodeVertexBuffer}
+                        : mode == "TRIANGLES" ? Decode{meshopt_decodeIndexBuffer}
+                                              : Decode{meshopt_decodeIndexSequence};
+  std::string decoded(count * stride, '\0');
+  if (decode(decoded.data(), count, stride, reinterpret_cast<const unsigned char*>(bytes.data()),
+             bytes.size()) != 0)
     fail(place, "the compressed data is damaged or has a later version");
-  if (p.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(decoded.data(), p.count, p.stride);
-  if (p.filter == "QUATERNION") meshopt_decodeFilterQuat(decoded.data(), p.count, p.stride);
-  if (p.filter == "EXPONENTIAL") meshopt_decodeFilterExp(decoded.data(), p.count, p.stride);
+  if (filter == "OCTAHEDRAL") meshopt_decodeFilterOct(decoded.data(), count, stride);
+  if (filter == "QUATERNION") meshopt_decodeFilterQuat(decoded.data(), count, stride);
+  if (filter == "EXPONENTIAL") meshopt_decodeFilterExp(decoded.data(), count, stride);
   return decoded;
+}
+
+#else
+
+std::string decoded_by_meshopt(const std::string&, const Json&, std::string_view) {
+  throw base::Error("", "viete-import was built without meshoptimizer",
+                    "install libmeshoptimizer-dev and build Viete again, or export without compression");
 }
 
 #endif
 
-// The decoders allocate memory for the counts of the file before they decode. Usual meshes need less than
-// this.
+// The decoders allocate memory for the counts of the file before they decode. Usual meshes need less.
 void limit_memory(const formats::GltfFile& file) {
   double bytes = 2e9;
   for (const formats::GltfBuffer& buffer : file.buffers)
@@ -103,8 +102,7 @@ public:
 
   std::string glb() {
     find_draco();
-    keep_uncompressed();
-    decode_views();
+    take_views();
     decode_primitives();
     for (const char* key : {"extensionsUsed", "extensionsRequired"}) remove_names(key);
     document_["buffers"] = {{{"byteLength", bytes_.size()}}};
@@ -138,12 +136,6 @@ private:
     return bytes.substr(begin, *length);
   }
 
-  static const char* meshopt_extension_of(const Json& view) {
-    for (const char* name : meshopt_extensions)
-      if (!extension_of(view, name).is_null()) return name;
-    return nullptr;
-  }
-
   // Several primitives can be parts of the same compressed data.
   void find_draco() {
     const std::size_t meshes = list_of(document_, "meshes").size(),
@@ -161,82 +153,40 @@ private:
     }
   }
 
-  // Copies the bytes of all uncompressed views. Bytes of overlapping views are copied once.
-  void keep_uncompressed() {
-    struct View {
-      const char *begin, *end;
-      std::size_t index;
-    };
-    std::vector<View> views;
+  // Copies uncompressed views and decodes compressed ones, except those of Draco.
+  void take_views() {
     for (std::size_t i = 0; i < list_of(document_, "bufferViews").size(); ++i) {
-      if (by_draco_view_.contains(i) || meshopt_extension_of(document_["bufferViews"][i])) continue;
-      const std::string_view bytes = bytes_of(place("buffer view ", i), document_["bufferViews"][i]);
-      views.push_back({bytes.data(), bytes.data() + bytes.size(), i});
-    }
-    std::ranges::sort(views, std::ranges::less(), &View::begin);
-    const char *first = nullptr, *end = nullptr;  // the last copied range
-    std::size_t first_at = 0;
-    for (const View& view : views) {
-      Json& json = document_["bufferViews"][view.index];
-      if (!end || view.begin >= end) {
-        while (bytes_.size() % 4 != count_of(json, "byteOffset").value_or(0) % 4) bytes_ += '\0';
-        first = end = view.begin;
-        first_at = bytes_.size();
+      if (by_draco_view_.contains(i)) continue;
+      Json& view = document_["bufferViews"][i];
+      const std::string at = place("buffer view ", i);
+      const auto* const name = std::ranges::find_if(
+          meshopt_extensions, [&](const char* n) { return !extension_of(view, n).is_null(); });
+      if (name == std::end(meshopt_extensions)) {
+        put_bytes(view, bytes_of(at, view));
+        continue;
       }
-      if (view.end > end) bytes_.append(end, view.end);
-      end = std::max(end, view.end);
-      json["buffer"] = 0;
-      json["byteOffset"] = first_at + static_cast<std::size_t>(view.begin - first);
+      const Json packed = extension_of(view, *name);
+      put_bytes(view, decoded_by_meshopt(at, packed, bytes_of(at, packed)));
+      for (const char* extension : meshopt_extensions) erase_extension(view, extension);
     }
   }
 
-  void decode_views() {
-    for (std::size_t i = 0; i < list_of(document_, "bufferViews").size(); ++i) {
-      Json view = document_["bufferViews"][i];
-      const char* const extension = meshopt_extension_of(view);
-      if (!extension) continue;
-      const std::string decoded = decoded_view(place("buffer view ", i), extension_of(view, extension));
-      for (const char* name : meshopt_extensions) erase_extension(view, name);
-      free_view_ = i;
-      view.update(document_["bufferViews"][add_view(decoded.data(), decoded.size())]);
-      document_["bufferViews"][i] = std::move(view);
-    }
-  }
-
-  // Adds a view of decoded data. Replaces a view of compressed data that is no longer needed.
-  std::size_t add_view(const void* data, std::size_t size) {
-    const std::size_t added = formats::add_gltf_view(document_, bytes_, data, size);
-    const std::size_t view = std::exchange(free_view_, std::nullopt).value_or(added);
-    Json& views = document_["bufferViews"];
-    if (view == added) return added;
-    views[view] = std::move(views.back());
-    views.erase(added);
-    return view;
+  // Appends the bytes to the new binary chunk.
+  void put_bytes(Json& view, std::string_view bytes) {
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    view["buffer"] = 0;
+    view["byteOffset"] = bytes_.size();
+    view["byteLength"] = bytes.size();
+    bytes_ += bytes;
   }
 
   void remove_names(const char* key) {
-    if (!document_.contains(key) || !document_[key].is_array()) return;
-    Json names = Json::array();
-    for (const Json& name : document_[key])
-      if (!name.is_string() || !formats::compresses_gltf(name.get<std::string>())) names.push_back(name);
-    document_[key] = std::move(names);
+    if (list_of(document_, key).empty()) return;
+    std::erase_if(document_[key].get_ref<Json::array_t&>(), [](const Json& name) {
+      return name.is_string() && formats::compresses_gltf(name.get<std::string>());
+    });
     if (document_[key].empty()) document_.erase(key);
   }
-
-#ifdef VIETE_MESHOPT
-  std::string decoded_view(const std::string& place, const Json& packed) const {
-    const std::string filter = text_of(packed, "filter");
-    return decoded_by_meshopt(
-        place, {count_of(packed, "count").value_or(0), count_of(packed, "byteStride").value_or(0),
-                text_of(packed, "mode"), filter.empty() ? "NONE" : filter, bytes_of(place, packed)});
-  }
-#else
-  std::string decoded_view(const std::string&, const Json&) const {
-    throw base::Error(file_.name,
-                      "viete-import was built without meshoptimizer, which decompresses its meshes",
-                      "install libmeshoptimizer-dev and build Viete again, or export without compression");
-  }
-#endif
 
 #ifdef VIETE_DRACO
   void decode_primitives() {
@@ -246,9 +196,10 @@ private:
       draco::DecoderBuffer buffer;
       buffer.Init(bytes.data(), bytes.size());
       const auto mesh = draco::Decoder().DecodeMeshFromBuffer(&buffer);
-      if (!mesh.ok()) fail(place, std::string("its Draco data is damaged: ") + mesh.status().error_msg());
+      if (!mesh.ok())
+        fail(place, base::formatted("its Draco data is damaged (%s)", mesh.status().error_msg()));
       if (mesh.value()->num_points() == 0) fail(place, "its Draco data has no vertices");
-      free_view_ = view;
+      next_view_ = view;
       for (const Primitive& primitive : primitives) replace(primitive, view, *mesh.value());
     }
   }
@@ -329,9 +280,11 @@ private:
       std::vector<Number> values(step * count);
       for (std::size_t i = 0; i < count; ++i) get(i, &values[step * i]);
       accessor["count"] = count;
-      accessor["bufferView"] = add_view(values.data(), values.size() * sizeof zero);
-      Json& view = document_["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-      view["target"] = target;
+      Json& views = document_["bufferViews"];
+      if (next_view_ == views.size()) views.push_back(nullptr);
+      Json& view = views[next_view_] = {{"target", target}};
+      accessor["bufferView"] = std::exchange(next_view_, views.size());
+      put_bytes(view, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof zero});
       if (step != components) view["byteStride"] = step * sizeof zero;
       if constexpr (std::is_same_v<Number, float>)
         if (accessor.contains("min")) formats::set_gltf_bounds(accessor, values, components);
@@ -343,7 +296,7 @@ private:
 #else
   void decode_primitives() {
     if (by_draco_view_.empty()) return;
-    throw base::Error(file_.name, "viete-import was built without Draco, which decompresses its meshes",
+    throw base::Error("", "viete-import was built without Draco",
                       "install libdraco-dev and build Viete again, or export without compression");
   }
 #endif
@@ -351,8 +304,8 @@ private:
   formats::GltfFile file_;
   Json& document_;
   std::map<std::size_t, std::vector<Primitive>> by_draco_view_;
-  std::string bytes_;                     // the new binary chunk
-  std::optional<std::size_t> free_view_;  // a view of compressed data that is no longer needed
+  std::string bytes_;          // the new binary chunk
+  std::size_t next_view_ = 0;  // for decoded data: the view of the compressed data, then new views
 };
 
 }  // namespace

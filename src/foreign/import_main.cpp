@@ -8,21 +8,17 @@
 #include <string>
 
 #include "base/os.h"
-#include "foreign/decompress.h"
-#include "foreign/scene.h"
-#ifdef VIETE_ASSIMP
-#include "foreign/assimp_scene.h"
-#endif
+#include "foreign/readers.h"
 
 namespace {
 
 using namespace viete;
 
-std::string scene_of_file(const std::string& file) {
+std::string scene_of_file([[maybe_unused]] const std::string& file) {
 #ifdef VIETE_ASSIMP
   return bytes_of(foreign::scene_by_assimp(file));
 #else
-  throw std::runtime_error("viete-import was built without Assimp (libassimp-dev), which reads " + file);
+  throw std::runtime_error("viete-import was built without Assimp (libassimp-dev)");
 #endif
 }
 

@@ -86,8 +86,8 @@ Task task_of(const Kind& kind) {
 }
 
 Task task_of(const formats::CompressedGltf& file) {
-  const bool draco = file.extensions.starts_with("KHR_draco");
-  return {"the meshes are compressed (" + file.extensions + "), and are",
+  const bool draco = file.extension.starts_with("KHR_draco");
+  return {"the meshes are compressed (" + file.extension + "), and are",
           "the compressed meshes cannot be read: ",
           draco ? "Draco (libdraco-dev)" : "meshoptimizer (libmeshoptimizer-dev)", file.advice()};
 }
@@ -167,7 +167,7 @@ formats::ReadResult read_compressed(formats::Source source, const formats::Compr
   const base::ProgressPart part(source.progress, 0.8, 1);
   formats::ReadResult result = formats::read(source);
   result.format = "glTF compressed";
-  result.warnings.push_back(source.name + ": decompressed (" + file.extensions +
+  result.warnings.push_back(source.name + ": decompressed (" + file.extension +
                             "); saving writes it uncompressed");
   return result;
 }

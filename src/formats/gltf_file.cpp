@@ -8,7 +8,6 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
-#include "base/text.h"
 #include "formats/byte_order.h"
 #include "formats/read.h"
 
@@ -273,22 +272,16 @@ private:
   }
 
   void check_extensions() {
-    std::set<std::string> compressing;
     for (const char* key : {"extensionsUsed", "extensionsRequired"})
-      for (const GltfJson& extension : list_of(document_, key)) {
-        if (!extension.is_string()) continue;
-        check_extension(extension.get<std::string>(), key[10] == 'R');
-        if (compresses_gltf(extension.get<std::string>())) compressing.insert(extension);
-      }
-    if (!compressing.empty() && !may_be_compressed_)
-      throw CompressedGltf(source_.name,
-                           base::listed(std::vector(compressing.begin(), compressing.end()), " and "));
+      for (const GltfJson& extension : list_of(document_, key))
+        if (extension.is_string()) check_extension(extension.get<std::string>(), key[10] == 'R');
   }
 
   void check_extension(const std::string& name, bool required) {
     static const std::set<std::string> known = {"KHR_mesh_quantization", "KHR_texture_transform",
                                                 "KHR_lights_punctual",   "KHR_texture_basisu",
                                                 "EXT_texture_webp",      "KHR_animation_pointer"};
+    if (compresses_gltf(name) && !may_be_compressed_) throw CompressedGltf(source_.name, name);
     if (!required || compresses_gltf(name) || known.count(name) || name.starts_with("KHR_materials_")) return;
     refuse_gltf(source_, "the file requires the extension " + name.substr(0, 64) + ", which is not supported",
                 "export without this extension");
@@ -319,7 +312,7 @@ private:
         fail("refers to the same file as other buffers, more than 256 MB in total");
     } else if (i == 0 && chunks_.binary) {
       buffer.bytes = *chunks_.binary;
-    } else if (may_be_compressed_ && is_fallback(json)) {
+    } else if (may_be_compressed_) {
       return file_.buffers.push_back(std::move(buffer));
     } else {
       fail("has neither data nor a URI");
@@ -330,14 +323,6 @@ private:
       fail("declares " + std::to_string(*length) + " bytes and has " + std::to_string(buffer.bytes.size()));
     buffer.bytes.resize(*length);
     file_.buffers.push_back(std::move(buffer));
-  }
-
-  // A fallback buffer is for programs that do not decompress. It may have no data.
-  static bool is_fallback(const GltfJson& buffer) {
-    const GltfJson& extensions = member_of(buffer, "extensions");
-    return std::ranges::any_of(
-        std::array{"EXT_meshopt_compression", "KHR_meshopt_compression"},
-        [&](const char* name) { return member_of(member_of(extensions, name), "fallback") == true; });
   }
 
   void take_image(std::size_t i) {

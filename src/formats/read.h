@@ -13,13 +13,12 @@ namespace viete::formats {
 
 /// Thrown for a glTF file with compressed meshes. foreign::read() reads such files.
 struct CompressedGltf : base::Error {
-  /// `names` lists the extensions that compress.
-  CompressedGltf(const std::string& file, const std::string& names)
-      : Error(file, "the meshes are compressed (" + names + "), which is not supported",
+  CompressedGltf(const std::string& file, const std::string& name)
+      : Error(file, "the meshes are compressed (" + name + "), which is not supported",
               "export without compression"),
-        extensions(names) {}
+        extension(name) {}
 
-  std::string extensions;
+  std::string extension;  ///< the name of the extension that compresses
 };
 
 /// Detects the format by content, then by extension. Throws base::Error with file, place and advice, or

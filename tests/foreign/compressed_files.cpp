@@ -274,7 +274,7 @@ TEST_CASE("damaged_compressed_files_are_refused_with_their_place") {
   const std::string extension = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
   expect(draco, (extension + "/bufferView").c_str(), 99,
          primitive + ": its Draco data is in no buffer view of the file; export");
-  expect(draco, (extension + "/bufferView").c_str(), 0, primitive + ": its Draco data is damaged: ");
+  expect(draco, (extension + "/bufferView").c_str(), 0, primitive + ": its Draco data is damaged (");
   expect(draco, (extension + "/attributes/NORMAL").c_str(), 99,
          primitive + ", NORMAL: its accessor or its Draco data is missing");
   expect(draco, (extension + "/attributes/NORMAL").c_str(), 4294967306U,
@@ -285,7 +285,7 @@ TEST_CASE("damaged_compressed_files_are_refused_with_their_place") {
   expect(draco, "/accessors/0/componentType", 5121,
          primitive + ", POSITION: a value of its Draco data does not fit");
   expect(draco, "/bufferViews/1/byteLength", 4000000000U, primitive + ": reaches past the");
-  expect(draco, "/bufferViews/1/byteLength", 200, primitive + ": its Draco data is damaged");
+  expect(draco, "/bufferViews/1/byteLength", 200, primitive + ": its Draco data is damaged (");
   const std::string view = "/bufferViews/0/extensions/EXT_meshopt_compression/";
   expect(meshopt, (view + "count").c_str(), 4000000000U,
          "buffer view 0: 4000000000 elements do not fit into");
@@ -294,7 +294,7 @@ TEST_CASE("damaged_compressed_files_are_refused_with_their_place") {
          "buffer view 0: mode ATTRIBUTES with filter NONE cannot have 25 elements of 258 bytes");
   expect(meshopt, (view + "byteStride").c_str(), 0, "buffer view 0: mode ATTRIBUTES");
   expect(meshopt, (view + "mode").c_str(), "INDICES", "buffer view 0: mode INDICES with");
-  expect(meshopt, (view + "mode").c_str(), "MAGIC", "buffer view 0: has the unknown mode MAGIC");
+  expect(meshopt, (view + "mode").c_str(), "MAGIC", "buffer view 0: mode MAGIC with");
   expect(meshopt, (view + "filter").c_str(), "COLOR", "buffer view 0: mode ATTRIBUTES with filter COLOR");
   expect(meshopt, (view + "filter").c_str(), "QUATERNION",
          "buffer view 0: mode ATTRIBUTES with filter QUATERNION");
@@ -302,7 +302,6 @@ TEST_CASE("damaged_compressed_files_are_refused_with_their_place") {
   expect(meshopt, (view + "byteLength").c_str(), 20, "buffer view 0: the compressed data is damaged");
   expect(meshopt, "/bufferViews/0/extensions", nullptr,
          "buffer view 0: reaches past the 0 bytes of its buffer");
-  expect(meshopt, "/buffers/1/extensions", nullptr, "buffer 1: has neither data nor a URI");
 }
 
 TEST_CASE("without_decoders_the_error_names_what_to_install") {
