@@ -98,7 +98,10 @@ void limit_memory(const formats::GltfFile& file) {
 
 class Decompressor {
 public:
-  explicit Decompressor(formats::GltfFile file) : file_(std::move(file)), document_(file_.document) {}
+  explicit Decompressor(formats::GltfFile file) : file_(std::move(file)), document_(file_.document) {
+    constexpr std::size_t most_overlapping = 8;  // for example, attributes of the same vertices
+    for (const formats::GltfBuffer& buffer : file_.buffers) left_ += most_overlapping * buffer.bytes.size();
+  }
 
   std::string glb() {
     find_draco();
@@ -125,7 +128,7 @@ private:
   }
 
   // Returns the bytes of a buffer view. The extensions for views have the same members.
-  std::string_view bytes_of(const std::string& place, const Json& view) const {
+  std::string_view bytes_of(const std::string& place, const Json& view) {
     const auto buffer = count_of(view, "buffer"), length = count_of(view, "byteLength");
     const std::uint64_t begin = count_of(view, "byteOffset").value_or(0);
     if (!buffer || *buffer >= file_.buffers.size() || !length)
@@ -133,6 +136,8 @@ private:
     const std::string_view bytes = file_.buffers[*buffer].bytes;
     if (begin > bytes.size() || *length > bytes.size() - begin)
       fail(place, "reaches past the " + std::to_string(bytes.size()) + " bytes of its buffer");
+    if (*length > left_) fail(place, "overlaps too many other buffer views");
+    left_ -= *length;
     return bytes.substr(begin, *length);
   }
 
@@ -304,6 +309,7 @@ private:
   formats::GltfFile file_;
   Json& document_;
   std::map<std::size_t, std::vector<Primitive>> by_draco_view_;
+  std::size_t left_ = 0;       // bytes that may still be copied or decoded
   std::string bytes_;          // the new binary chunk
   std::size_t next_view_ = 0;  // for decoded data: the view of the compressed data, then new views
 };

@@ -174,7 +174,13 @@ TEST_CASE("filters_of_meshopt_restore_normals_rotations_and_floats") {
   meshopt_encodeFilterOct(octahedral.data(), count, 4, 8, directions.data());
   meshopt_encodeFilterOct(wide.data(), count, 8, 16, directions.data());
   meshopt_encodeFilterQuat(quaternions.data(), count, 8, 16, directions.data());
-  meshopt_encodeFilterExp(exponential.data(), count, 12, 24, places.data());
+  for (std::size_t i = 0; i < places.size(); ++i) {  // a mantissa of 24 bits, an exponent of 8 bits
+    int exponent = 0;
+    const auto mantissa = static_cast<std::int32_t>(std::ldexp(std::frexp(places[i], &exponent), 22));
+    const std::uint32_t number =
+        (static_cast<std::uint32_t>(mantissa) & 0xFFFFFF) | static_cast<std::uint32_t>(exponent - 22) << 24;
+    std::memcpy(&exponential[4 * i], &number, 4);
+  }
   const auto accessor = [&](std::size_t view, int type, const char* kind) {
     packed.json["accessors"].push_back({{"bufferView", view},
                                         {"componentType", type},
@@ -300,6 +306,9 @@ TEST_CASE("damaged_compressed_files_are_refused_with_their_place") {
          "buffer view 0: mode ATTRIBUTES with filter QUATERNION");
   expect(meshopt, (view + "buffer").c_str(), 7, "buffer view 0: has no byteLength or refers to a buffer");
   expect(meshopt, (view + "byteLength").c_str(), 20, "buffer view 0: the compressed data is damaged");
+  GltfParts bomb = meshopt;
+  for (int i = 0; i < 100; ++i) bomb.json["bufferViews"].push_back(bomb.json["bufferViews"][0]);
+  CHECK(mentions(folder.problem(bomb), "overlaps too many other buffer views"));
   expect(meshopt, "/bufferViews/0/extensions", nullptr,
          "buffer view 0: reaches past the 0 bytes of its buffer");
 }

@@ -141,6 +141,7 @@ inline std::pair<std::string, GltfJson> meshopt_bytes(const std::string& bytes, 
   std::string out(2 * bytes.size() + 1000, '\0');
   auto* const to = reinterpret_cast<unsigned char*>(out.data());
   std::vector<unsigned> indices(count);
+  meshopt_encodeVertexVersion(0);  // later versions are not part of the extension
   for (std::size_t i = 0; i < count && mode != "ATTRIBUTES"; ++i)
     std::memcpy(&indices[i], &bytes[i * stride], stride);
   out.resize(mode == "ATTRIBUTES"  ? meshopt_encodeVertexBuffer(to, out.size(), bytes.data(), count, stride)
