@@ -61,7 +61,7 @@ build_package() {
 
 build_portable() {
   say "building the portable folder"
-  static_build all build-portable -DVIETE_BUILD_PYTHON=OFF -DVIETE_ASSIMP=OFF -DCMAKE_INSTALL_BINDIR=. '-DCMAKE_INSTALL_RPATH=$ORIGIN/lib' \
+  static_build all build-portable -DVIETE_BUILD_PYTHON=OFF -DVIETE_ASSIMP=OFF -DVIETE_DRACO=OFF -DVIETE_MESHOPT=OFF -DCMAKE_INSTALL_BINDIR=. '-DCMAKE_INSTALL_RPATH=$ORIGIN/lib' \
     '-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc'
   version=$(version)
   folder=$work/viete-$version all=$work/installed

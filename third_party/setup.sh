@@ -24,8 +24,8 @@ TEXT
 # Required to build and run the program.
 program="g++ cmake ninja-build pkg-config libglfw3-dev libglm-dev libeigen3-dev libhwy-dev libimgui-dev libopenmesh-dev
 libstb-dev libcli11-dev nlohmann-json3-dev zlib1g-dev libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri"
-# Optional: FBX and other formats, HTML manual, names in all scripts, fonts, drawing without a display (Mesa 25.1 dropped OSMesa in favour of EGL), title bars on Wayland.
-program_wish="libassimp-dev cmark-gfm libfontconfig-dev fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
+# Optional: FBX and other formats, compressed glTF, HTML manual, names in all scripts, fonts, drawing without a display (Mesa 25.1 dropped OSMesa in favour of EGL), title bars on Wayland.
+program_wish="libassimp-dev libdraco-dev libmeshoptimizer-dev cmark-gfm libfontconfig-dev fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
 tests="doctest-dev libtinygltf-dev pybind11-dev python3-dev python3-numpy"
 # Optional for tests: a virtual display with a mouse, and package inspection.
 tests_wish="xvfb xdotool dpkg-dev file mypy desktop-file-utils"

@@ -105,7 +105,7 @@ icon() {
 }
 
 compile() {
-  log viete-configure cmake -S "$here" -B "$work/build/viete" -G Ninja $toolchain -DVIETE_BUILD_TESTS="$1" -DVIETE_BUILD_PYTHON=OFF -DVIETE_ASSIMP=OFF \
+  log viete-configure cmake -S "$here" -B "$work/build/viete" -G Ninja $toolchain -DVIETE_BUILD_TESTS="$1" -DVIETE_BUILD_PYTHON=OFF -DVIETE_ASSIMP=OFF -DVIETE_DRACO=OFF -DVIETE_MESHOPT=OFF \
     -DVIETE_KERNELS=all -DVIETE_WERROR=ON -DVIETE_ICON="$work/viete.ico" \
     -DCMAKE_INSTALL_BINDIR=. -DCMAKE_INSTALL_DATADIR=share -DCMAKE_INSTALL_DOCDIR=share/doc
   shift

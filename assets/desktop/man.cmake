@@ -33,7 +33,7 @@ file(APPEND ${TO}.part ".SH ENVIRONMENT
 Absolute path of the folder for unsaved edits; ~/.local/state by default.
 .TP
 .B VIETE_IMPORT
-The program that reads FBX, Collada and other files; by default viete-import beside viete or in PATH.
+The program that reads FBX, Collada, compressed glTF and other files; by default viete-import beside viete or in PATH.
 .SH FILES
 .TP
 .I ~/.local/state/viete

@@ -72,50 +72,73 @@ std::string importer() {
   return fs::exists(beside, ignored) ? beside.string() : name;
 }
 
-base::Error unreadable(const formats::Source& source, const Kind& kind, const std::string& reason) {
-  return {source.name, "Assimp could not read this " + std::string(kind.name) + " file: " + reason, convert};
+// The texts of errors about a file that viete-import reads.
+struct Task {
+  std::string files;    // "FBX files are"
+  std::string failure;  // "Assimp could not read this FBX file: "
+  std::string package, advice;
+};
+
+Task task_of(const Kind& kind) {
+  const std::string name(kind.name);
+  return {name + " files are", "Assimp could not read this " + name + " file: ", "Assimp (libassimp-dev)",
+          convert};
 }
 
-// Runs viete-import. Returns its output.
-std::string output_of_importer(const formats::Source& source, const Kind& kind, double most_seconds) {
+Task task_of(const formats::CompressedGltf& file) {
+  const bool draco = file.extension.starts_with("KHR_draco");
+  return {"the meshes are compressed (" + file.extension + "), and are",
+          "the compressed meshes cannot be read: ",
+          draco ? "Draco (libdraco-dev)" : "meshoptimizer (libmeshoptimizer-dev)", file.advice()};
+}
+
+base::Error unreadable(const formats::Source& source, const Task& task, const std::string& reason) {
+  return {source.name, task.failure + reason, task.advice};
+}
+
+// Runs viete-import with these arguments. Returns its output.
+std::string output_of_importer(const formats::Source& source, const Task& task,
+                               std::vector<std::string> arguments, double most_seconds) {
   std::optional<base::ChildProgram> child;
   try {
     constexpr bool keeps_output = true;
-    child.emplace(std::vector{importer(), fs::absolute(source.name).string()}, "", std::vector<std::string>{},
-                  keeps_output);
+    arguments.insert(arguments.begin(), importer());
+    arguments.push_back(fs::absolute(source.name).string());
+    child.emplace(arguments, "", std::vector<std::string>{}, keeps_output);
   } catch (const base::Error& error) {
-    throw base::Error(source.name,
-                      std::string(kind.name) + " files are read by viete-import: " + error.problem(),
-                      "install Assimp (libassimp-dev) and build Viete again, or " + std::string(convert));
+    throw base::Error(source.name, task.files + " read by viete-import: " + error.problem(),
+                      "install " + task.package + " and build Viete again, or " + task.advice);
   }
   base::Progress own;
   const base::ProgressPart part(source.progress, 0, 0.8);
   child->follow(source.progress ? *source.progress : own, most_seconds);
   if (child->running())
-    throw unreadable(source, kind, base::formatted("it took longer than %g seconds", most_seconds));
+    throw unreadable(source, task, base::formatted("it took longer than %g seconds", most_seconds));
   try {
     child->finish();
   } catch (const base::Error&) {
-    throw unreadable(source, kind, "it crashed, or used too much memory or time");
+    throw unreadable(source, task, "it crashed, or used too much memory or time");
   }
   return child->output();
 }
 
-Scene scene_of_file(const formats::Source& source, const Kind& kind, double most_seconds) {
+Scene scene_of_output(const formats::Source& source, const Task& task, std::string_view output) {
   try {
-    Scene scene = scene_of(output_of_importer(source, kind, most_seconds));
+    Scene scene = scene_of(output);
     for (const formats::ImageFile& image : scene.attributes.images)
       if (!image.path.empty() && !formats::is_file_below(formats::folder_of(source.name), image.path))
         throw DamagedScene("an image is not in the folder of the file");
     return scene;
   } catch (const DamagedScene& damage) {
     throw base::Error(source.name, "viete-import sent no valid scene: " + std::string(damage.what()),
-                      "install viete and viete-import of the same version, or " + std::string(convert));
+                      "install viete and viete-import of the same version, or " + task.advice);
   }
 }
 
-formats::ReadResult result_of(const formats::Source& source, const Kind& kind, Scene scene) {
-  if (!scene.failure.empty()) throw unreadable(source, kind, base::printable(scene.failure, 600));
+formats::ReadResult read_foreign(const formats::Source& source, const Kind& kind, double most_seconds) {
+  const Task task = task_of(kind);
+  Scene scene = scene_of_output(source, task, output_of_importer(source, task, {}, most_seconds));
+  if (!scene.failure.empty()) throw unreadable(source, task, base::printable(scene.failure, 600));
   formats::SurfaceBuilder builder(source);
   mesh::Surface& surface = builder.surface();
   surface.positions = scene.positions;
@@ -129,15 +152,41 @@ formats::ReadResult result_of(const formats::Source& source, const Kind& kind, S
   return result;
 }
 
+// viete-import sends a GLB without compression, or a scene with the reason of its failure and advice.
+formats::ReadResult read_compressed(formats::Source source, const formats::CompressedGltf& file,
+                                    double most_seconds) {
+  const Task task = task_of(file);
+  const auto output =
+      std::make_shared<const std::string>(output_of_importer(source, task, {"--decompress"}, most_seconds));
+  if (!output->starts_with("glTF")) {
+    const Scene scene = scene_of_output(source, task, *output);
+    throw base::Error(source.name, task.failure + base::printable(scene.failure, 600));
+  }
+  source.bytes = *output;
+  source.owner = output;
+  const base::ProgressPart part(source.progress, 0.8, 1);
+  formats::ReadResult result = formats::read(source);
+  result.format = "glTF compressed";
+  result.warnings.push_back(source.name + ": decompressed (" + file.extension +
+                            "); saving writes it uncompressed");
+  return result;
+}
+
 }  // namespace
 
 formats::ReadResult read(const fs::path& path, base::Progress* progress, bool played, double most_seconds) {
-  const Kind* const kind = kind_of(path);
-  if (!kind) return formats::read(path, progress, played);
-  (void)formats::regular_file_size(path);  // throws the usual errors
-  formats::Source source{path.string(), std::string(kind->extension), "", progress};
+  formats::Source source{path.string(), formats::extension_of(path), "", progress};
   source.folder = fs::absolute(path).parent_path();
-  return result_of(source, *kind, scene_of_file(source, *kind, most_seconds));
+  source.played = played;
+  if (const Kind* const kind = kind_of(path)) {
+    (void)formats::regular_file_size(path);  // throws the usual errors
+    return read_foreign(source, *kind, most_seconds);
+  }
+  try {
+    return formats::read(path, progress, played);
+  } catch (const formats::CompressedGltf& file) {
+    return read_compressed(source, file, most_seconds);
+  }
 }
 
 }  // namespace viete::foreign

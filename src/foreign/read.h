@@ -8,9 +8,10 @@
 
 namespace viete::foreign {
 
-/// Works like formats::read(). If the format is foreign, runs the program viete-import: $VIETE_IMPORT, the
-/// program beside this program, or the program in PATH. If it is not installed, crashes, or takes more than
-/// `most_seconds`, throws base::Error. If `progress` is cancelled, ends it.
+/// Works like formats::read(). If the format is foreign or the file is a compressed glTF file, runs the
+/// program viete-import: $VIETE_IMPORT, the program beside this program, or the program in PATH. If it is not
+/// installed, crashes, or takes more than `most_seconds`, throws base::Error. If `progress` is cancelled,
+/// ends it.
 formats::ReadResult read(const std::filesystem::path& path, base::Progress* progress = nullptr,
                          bool played = false, double most_seconds = 600);
 

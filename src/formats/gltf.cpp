@@ -140,15 +140,15 @@ private:
 
   // Returns the index of the texture's image, perhaps from an extension, or -1 if the image is missing.
   static int source_of(const GltfJson& texture) {
-    int source = index_of(texture, "source");
-    for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"})
-      if (source < 0) source = index_of(member_of(member_of(texture, "extensions"), extension), "source");
-    return source;
+    const int source = index_of(texture, "source");
+    const GltfJson& webp = member_of(member_of(texture, "extensions"), "EXT_texture_webp");
+    return source < 0 ? index_of(webp, "source") : source;
   }
 
-  void take_texture(int index, Material& material, const MaterialImage& property) const {
+  void take_texture(int index, Material& material, const MaterialImage& property) {
     const GltfJson& texture = element_of(file_.document, "textures", index);
     const int source = source_of(texture);
+    if (source < 0) is_basis_ |= !member_of(member_of(texture, "extensions"), "KHR_texture_basisu").is_null();
     if (source < 0 || static_cast<std::size_t>(source) >= file_.images.size()) return;
     material.*property.image = static_cast<std::uint32_t>(source);
     const GltfJson& sampler = element_of(file_.document, "samplers", index_of(texture, "sampler"));
@@ -396,6 +396,9 @@ private:
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
                     " of points or lines: deformed, but not drawn");
+    if (is_basis_)
+      builder_.warn(file_.name +
+                    ": Basis textures (KHR_texture_basisu) are not shown; export PNG or JPEG textures");
     if (morphs_ && !source_.played && has_animation(file_.document, true))
       builder_.warn(file_.name +
                     (is_shaped_ ? ": morph targets keep their default weights; their animation is ignored"
@@ -430,7 +433,8 @@ private:
   std::vector<mesh::Point> shaped_;  // points of this placement with weights_; empty if weights_ is empty
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;
-  bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false;
+  bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false,
+       is_basis_ = false;
 };
 
 }  // namespace

@@ -17,19 +17,12 @@ constexpr NumberType number_types[] = {NumberType::int8,   NumberType::uint8, Nu
                                        NumberType::float32};
 
 std::size_t component_size(int type) {
-  const bool known = type >= gltf_byte && type <= gltf_float && type != gltf_unsigned_short + 1;
-  return known ? size_of(number_types[type - gltf_byte]) : 0;
+  const auto number = gltf_number_type(type);
+  return number ? size_of(*number) : 0;
 }
 
 bool is_unsigned(int type) {
   return type == gltf_unsigned_byte || type == gltf_unsigned_short || type == gltf_unsigned_int;
-}
-
-// Returns the number of components, or 0 for matrices, which surfaces do not use.
-std::size_t component_count(const std::string& type) {
-  if (type == "SCALAR") return 1;
-  const bool vector = type == "VEC2" || type == "VEC3" || type == "VEC4";
-  return vector ? static_cast<std::size_t>(type[3] - '0') : 0;
 }
 
 double number_at(const char* at, int type, bool normalized) {
@@ -42,6 +35,18 @@ double number_at(const char* at, int type, bool normalized) {
 }
 
 }  // namespace
+
+std::optional<NumberType> gltf_number_type(int component_type) {
+  const bool known = component_type >= gltf_byte && component_type <= gltf_float &&
+                     component_type != gltf_unsigned_short + 1;
+  return known ? std::optional(number_types[component_type - gltf_byte]) : std::nullopt;
+}
+
+std::size_t gltf_component_count(const std::string& type) {
+  if (type == "SCALAR") return 1;
+  const bool vector = type == "VEC2" || type == "VEC3" || type == "VEC4";
+  return vector ? static_cast<std::size_t>(type[3] - '0') : 0;
+}
 
 void GltfAccessors::fail(const std::string& what, int index, const std::string& problem) const {
   throw base::Error(file_.name + ": " + what + " " + std::to_string(index), problem,
@@ -60,7 +65,7 @@ GltfAccessors::Accessor GltfAccessors::at(int accessor) const {
              " accessors, counted from 0");
   const GltfJson& normalized = member_of(json, "normalized");
   return {index_of(json, "componentType"),
-          component_count(text_of(json, "type")),
+          gltf_component_count(text_of(json, "type")),
           count_of(json, "count").value_or(0),
           normalized.is_boolean() && normalized.get<bool>(),
           json,

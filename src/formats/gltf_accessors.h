@@ -4,13 +4,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "formats/byte_order.h"
 #include "formats/gltf_file.h"
 
 namespace viete::formats {
+
+/// Returns the type of a component type of the glTF specification, or nullopt for other numbers.
+std::optional<NumberType> gltf_number_type(int component_type);
+
+/// Returns the number of components of a vector or scalar ("VEC3"). Returns 0 for matrices, which surfaces do
+/// not use.
+std::size_t gltf_component_count(const std::string& type);
 
 /// The location of an accessor's elements. All elements are within the buffer.
 struct GltfPlace {

@@ -9,6 +9,7 @@
 #include "base/encoding.h"
 #include "base/error.h"
 #include "formats/byte_order.h"
+#include "formats/read.h"
 
 namespace viete::formats {
 
@@ -242,8 +243,8 @@ private:
 
 class GltfTaker {
 public:
-  GltfTaker(const Source& source, const Chunks& chunks, bool binary)
-      : source_(source), chunks_(chunks), document_(file_.document) {
+  GltfTaker(const Source& source, const Chunks& chunks, bool binary, bool may_be_compressed)
+      : source_(source), chunks_(chunks), document_(file_.document), may_be_compressed_(may_be_compressed) {
     file_.name = source.name;
     file_.binary = binary;
     document_ = parsed(source, chunks.json);
@@ -277,15 +278,11 @@ private:
   }
 
   void check_extension(const std::string& name, bool required) {
-    static const std::set<std::string> shapes = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                                                 "KHR_meshopt_compression"};
     static const std::set<std::string> known = {"KHR_mesh_quantization", "KHR_texture_transform",
                                                 "KHR_lights_punctual",   "KHR_texture_basisu",
                                                 "EXT_texture_webp",      "KHR_animation_pointer"};
-    if (shapes.count(name))
-      refuse_gltf(source_, "the meshes are compressed (" + name + "), which is not supported",
-                  "export without compression");
-    if (!required || known.count(name) || name.starts_with("KHR_materials_")) return;
+    if (compresses_gltf(name) && !may_be_compressed_) throw CompressedGltf(source_.name, name);
+    if (!required || compresses_gltf(name) || known.count(name) || name.starts_with("KHR_materials_")) return;
     refuse_gltf(source_, "the file requires the extension " + name.substr(0, 64) + ", which is not supported",
                 "export without this extension");
   }
@@ -315,6 +312,8 @@ private:
         fail("refers to the same file as other buffers, more than 256 MB in total");
     } else if (i == 0 && chunks_.binary) {
       buffer.bytes = *chunks_.binary;
+    } else if (may_be_compressed_) {
+      return file_.buffers.push_back(std::move(buffer));
     } else {
       fail("has neither data nor a URI");
     }
@@ -391,6 +390,7 @@ private:
   Chunks chunks_;
   GltfFile file_;
   GltfJson& document_;
+  bool may_be_compressed_;
   static constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
   std::set<fs::path> beside_;
   std::size_t repeated_ = 0;
@@ -407,9 +407,15 @@ bool has_animation(const GltfJson& document, bool weights) {
   return false;
 }
 
-GltfFile take_apart(const Source& source) {
+bool compresses_gltf(std::string_view extension) {
+  return extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
+         extension == "KHR_meshopt_compression";
+}
+
+GltfFile take_apart(const Source& source, bool may_be_compressed) {
   const bool binary = source.bytes.starts_with("glTF");
-  return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary)
+  return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary,
+                   may_be_compressed)
       .take();
 }
 

@@ -108,8 +108,13 @@ struct GltfFile {
   bool has_other_coordinates = false;
 };
 
+/// True for extensions that compress meshes or buffer views.
+bool compresses_gltf(std::string_view extension);
+
 /// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below. External images are
-/// not opened. If data of the surface is missing, compressed or invalid, throws base::Error.
-GltfFile take_apart(const Source& source);
+/// not opened. If data of the surface is missing or invalid, throws base::Error. If it is compressed, throws
+/// CompressedGltf, unless `may_be_compressed`; then buffers can be empty, because only other programs need
+/// them.
+GltfFile take_apart(const Source& source, bool may_be_compressed = false);
 
 }  // namespace viete::formats

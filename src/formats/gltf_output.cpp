@@ -39,20 +39,6 @@ void put_chunk(std::string_view bytes, std::string_view kind, char padding, Text
   out.text(std::string(padded_to_four(bytes.size()) - bytes.size(), padding));
 }
 
-// Writes a GLB. `bytes` is the binary chunk; if empty, the file has no binary chunk. `others` are further
-// chunks with their headers. If the file exceeds 4 GB, throws base::Error.
-void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
-                      TextWriter& out) {
-  const std::size_t binary = bytes.empty() ? 0 : 8 + padded_to_four(bytes.size());
-  const std::size_t all = 20 + padded_to_four(json.size()) + binary + others.size();
-  if (all > std::numeric_limits<std::uint32_t>::max())
-    throw base::Error("", "the GLB file would exceed its limit of 4 GB", "save as .gltf or another format");
-  out.text("glTF").little_endian(std::uint32_t{2}).little_endian(static_cast<std::uint32_t>(all));
-  put_chunk(json, {"JSON", 4}, ' ', out);
-  if (!bytes.empty()) put_chunk(bytes, {"BIN\0", 4}, '\0', out);
-  out.text(others);
-}
-
 std::string embedded_uri(std::string_view bytes) {
   return "data:application/octet-stream;base64," + base::base64(bytes);
 }
@@ -580,6 +566,18 @@ bool is_gltf_capture(const GltfJson& document) {
   return any_primitive(document, [](const GltfJson& p) {
     return !member_of(member_of(p, "extensions"), "KHR_gaussian_splatting").is_null();
   });
+}
+
+void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
+                      TextWriter& out) {
+  const std::size_t binary = bytes.empty() ? 0 : 8 + padded_to_four(bytes.size());
+  const std::size_t all = 20 + padded_to_four(json.size()) + binary + others.size();
+  if (all > std::numeric_limits<std::uint32_t>::max())
+    throw base::Error("", "the GLB file would exceed its limit of 4 GB", "save as .gltf or another format");
+  out.text("glTF").little_endian(std::uint32_t{2}).little_endian(static_cast<std::uint32_t>(all));
+  put_chunk(json, {"JSON", 4}, ' ', out);
+  if (!bytes.empty()) put_chunk(bytes, {"BIN\0", 4}, '\0', out);
+  out.text(others);
 }
 
 std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map) {

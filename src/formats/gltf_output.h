@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/gltf_file.h"
@@ -35,5 +36,10 @@ struct GltfRewritten {
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
                              std::span<const mesh::Point> positions, const MorphMotion* motion = nullptr,
                              base::Progress* progress = nullptr);
+
+/// Writes a GLB. `bytes` is the binary chunk; if empty, the file has no binary chunk. `others` are further
+/// chunks with their headers. If the file exceeds 4 GB, throws base::Error.
+void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
+                      TextWriter& out);
 
 }  // namespace viete::formats

@@ -342,10 +342,13 @@ class Arrays(WithFolder):
         again = viete.read(self.folder / "c.ply").faces
         self.assertEqual([list(f) for f in again], mixed)
 
-    @unittest.skipUnless((PROGRAM.parent / "viete-import").exists(), "built without Assimp")
-    def test_foreign_files_are_read_by_viete_import(self):
+    @unittest.skipUnless((PROGRAM.parent / "viete-import").exists(), "built without Assimp and decoders")
+    def test_foreign_and_compressed_files_are_read_by_viete_import(self):
         with unittest.mock.patch.dict(os.environ, VIETE_IMPORT=str(PROGRAM.parent / "viete-import")):
-            surface = viete.read(pathlib.Path(__file__).parents[1] / "foreign/smile.fbx")
+            folder = pathlib.Path(__file__).parents[1] / "foreign"
+            surface, packed = viete.read(folder / "smile.fbx"), viete.read(folder / "packed.gltf")
+        self.assertEqual(packed.vertices.shape, (16, 3))
+        self.assertIn("decompressed", packed.notes[-1])
         self.assertEqual(surface.vertices.tolist(), [[0, 3, 0], [1, 3, 0], [1, 3, -1], [0, 3, -1]])
         self.assertEqual(surface.faces.tolist(), [[0, 1, 2, 3]])
         self.assertIn("y is up", surface.notes[0])

@@ -53,7 +53,7 @@ struct GltfParts {
 
   std::string glb() const {
     GltfJson document = json;
-    document["buffers"] = {{{"byteLength", bytes.size()}}};
+    document["buffers"][0] = {{"byteLength", bytes.size()}};
     std::string text = document.dump(), binary = bytes;
     text.resize((text.size() + 3) / 4 * 4, ' ');
     binary.resize((binary.size() + 3) / 4 * 4, '\0');
