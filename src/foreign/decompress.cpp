@@ -17,7 +17,7 @@
 #include "foreign/readers.h"
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_morphs.h"
-#include "formats/gltf_output.h"
+#include "formats/gltf_original.h"
 
 namespace viete::foreign {
 

@@ -24,8 +24,8 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .embeds_images = true,
           .up = 'y',
           .in_metres = true,
-          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals |
-                      objects | textures | materials};
+          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals | objects |
+                      textures | materials};
 }
 
 // Returns a list without duplicates: "a, b or c".

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/gltf_morphs.h"
-#include "formats/gltf_output.h"
+#include "formats/gltf_original.h"
 #include "formats/materials.h"
 #include "formats/surface_builder.h"
 #include "mesh/point_index.h"

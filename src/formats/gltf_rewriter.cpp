@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/gltf_morphs.h"
-#include "formats/gltf_output.h"
+#include "formats/gltf_original.h"
 #include "mesh/normals.h"
 
 namespace viete::formats {

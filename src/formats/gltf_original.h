@@ -37,6 +37,9 @@ GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const mes
                              std::span<const mesh::Point> positions, const MorphMotion* motion = nullptr,
                              base::Progress* progress = nullptr);
 
+/// Returns a data URI.
+std::string embedded_gltf_uri(std::string_view bytes);
+
 /// Writes a GLB. `bytes` is the binary chunk; if empty, the file has no binary chunk. `others` are further
 /// chunks with their headers. If the file exceeds 4 GB, throws base::Error.
 void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
