@@ -404,6 +404,17 @@ TEST_CASE("invalid_gltf_is_rejected_with_its_place") {
     CHECK(holds(test::refusal(good.beside(outside), "gltf"), "is not in the folder of the model"));
 }
 
+TEST_CASE("basis_textures_are_not_shown_unless_the_file_has_another_image") {
+  GltfParts parts = test::patch();
+  parts.json["textures"][0]["extensions"]["KHR_texture_basisu"]["source"] = 0;
+  parts.json["extensionsRequired"] = GltfJson::array({"KHR_texture_basisu"});
+  CHECK(test::read_text(parts.glb(), "glb").warnings.empty());
+  parts.json["textures"][0].erase("source");
+  const ReadResult read = test::read_text(parts.glb(), "glb");
+  CHECK(read.attributes->materials[0].base_color_image == mesh::none);
+  CHECK(holds(read.warnings.at(0), "Basis textures (KHR_texture_basisu) are not shown"));
+}
+
 TEST_CASE("instancing_is_limited") {
   GltfParts parts = test::patch();
   std::vector<float> many(3 * 100000);
