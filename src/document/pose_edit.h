@@ -33,6 +33,12 @@ void end_mix(Document& document);
 /// Returns the pose without the mix. If all weights are 0, or the pose was edited after mixing, returns null.
 SharedPose unmixed_pose(const Document& document);
 
+/// Returns the current pose without the poses of the library `weighted`, which has other weights than the
+/// document's library.
+SharedPose pose_without(const Document& document, VectorCache& vectors, PoseLibrary weighted);
+/// After a change of the named poses: puts them into their channels, and removes channels of removed poses.
+void follow_library(const PoseLibrary& library, Timeline& timeline);
+
 /// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 

@@ -397,7 +397,7 @@ void check_animation_export(const AnimationExport& what) {
     throw base::Error(file.string(), "a point cache stores all frames in one file",
                       "remove #### from the name");
   formats::check_deformable(file, what.model.original.get());
-  if (what.timeline.keys.empty())
+  if (!what.timeline.has_poses())
     throw base::Error("", "the timeline has no keys", "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
 }
