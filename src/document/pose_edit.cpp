@@ -103,7 +103,8 @@ bool remix(Document& document, VectorCache& vectors, const std::string& label, C
   const SharedPose pose = mixed_upon(document, vectors, base, changed.library, changed.timeline.linear);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
   const bool on_keys = is_on_keys(document);
-  record_step(document, label, step, step.kind == EditKind::mix);
+  const DocumentState* last = document.history().before_last();
+  record_step(document, label, step, step.kind == EditKind::mix && last && last->frame == document.frame());
   document.changed_library() = std::move(changed.library);
   document.changed_timeline() = std::move(changed.timeline);
   const bool mixes = document.library().mixes();

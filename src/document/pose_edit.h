@@ -66,9 +66,9 @@ void move_pose(Document& document, std::size_t pose, std::size_t to);
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
 /// Sets a pose's weight in the mix, clamped to the range in PoseLibrary. Consecutive changes for one pose
-/// form one edit. If the mix would be out of the drawable range (see in_range()), changes nothing and returns
-/// false. If the current pose comes from keys, `played` has the weights of all named poses in this pose.
-/// Otherwise `played` is empty.
+/// at one frame form one edit. If the mix would be out of the drawable range (see in_range()), changes
+/// nothing and returns false. If the current pose comes from keys, `played` has the weights of all named
+/// poses in this pose. Otherwise `played` is empty.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
 /// Sets all weights to 0. Can return false like set_weight().
