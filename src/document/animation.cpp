@@ -208,7 +208,7 @@ WholePose Animation::with_channels(const SharedPose& base, double frame, bool li
     whole.shape = std::make_shared<const shapes::LogVector>(base->shape ? shapes_->vector(*base->shape, pool)
                                                                         : shapes_->at_rest());
   }
-  WholePose pose = mixed_upon(whole, terms, {space_.get(), shapes_.get()}, linear);
+  WholePose pose = mixed_upon(whole, terms, space_.get(), shapes_.get(), linear);
   return in_range(pose, farthest_) ? pose : *base;
 }
 
@@ -326,20 +326,19 @@ SharedShape shape_upon(const MixTerm& base, std::span<const MixTerm> terms, cons
 
 }  // namespace
 
-WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const MixSpaces& spaces,
-                     bool linear) {
+WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
+                     const shapes::ShapeSpace* shapes, bool linear) {
   if (terms.empty()) return *base.pose;
-  if (terms.size() == 1 && terms[0].weight == 1 && is_rest_pose(*base.pose, spaces.poses))
-    return *terms[0].pose;
+  if (terms.size() == 1 && terms[0].weight == 1 && is_rest_pose(*base.pose, poses)) return *terms[0].pose;
   std::vector<ProbeTerm> probes{{&base.pose->probes, 1}};
   for (const MixTerm& term : terms) probes.push_back({&term.pose->probes, term.weight});
-  WholePose pose{base.pose->cage, blended_probes(probes), shape_upon(base, terms, spaces.shapes, linear)};
-  if (!spaces.poses) return pose;
+  WholePose pose{base.pose->cage, blended_probes(probes), shape_upon(base, terms, shapes, linear)};
+  if (!poses) return pose;
   std::vector<shapes::LogTerm> sum;
   for (const MixTerm& term : terms) sum.push_back({term.cage.get(), term.weight});
-  const shapes::AnchorWeights anchors = spaces.poses->logs().anchors_from(*base.cage, sum);
+  const shapes::AnchorWeights anchors = poses->logs().anchors_from(*base.cage, sum);
   sum.push_back({base.cage.get(), 1});
-  pose.cage = linear ? spaces.poses->linear(sum) : spaces.poses->pose(sum, anchors);
+  pose.cage = linear ? poses->linear(sum) : poses->pose(sum, anchors);
   return pose;
 }
 

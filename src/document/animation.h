@@ -43,15 +43,11 @@ struct MixTerm {
   std::shared_ptr<const shapes::LogVector> cage{};   ///< null without a cage
   std::shared_ptr<const shapes::LogVector> shape{};  ///< null if no pose of the mix has a shape
 };
-/// The spaces of a mix. A null pointer: the document has no cage, or no pose of the mix has a shape.
-struct MixSpaces {
-  const shapes::PoseSpace* poses;
-  const shapes::ShapeSpace* shapes;
-};
 /// Returns `base`, whose weight is ignored, plus the weighted poses. Probes are always blended in log space.
-/// If the base is the rest pose and a single pose has the weight 1, returns this pose unchanged.
-WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const MixSpaces& spaces,
-                     bool linear);
+/// If the base is the rest pose and a single pose has the weight 1, returns this pose unchanged. `poses` is
+/// null without a cage, `shapes` can be null if no pose of `terms` has a shape.
+WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
+                     const shapes::ShapeSpace* shapes, bool linear);
 
 /// Returns messages about problems in the shapes, for the user.
 std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports);

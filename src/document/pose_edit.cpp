@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -52,8 +53,8 @@ SharedPose mixed_upon(const Document& document, VectorCache& vectors, const Shar
     if (probes[i].locked) unlocked.probes[i] = {};
   const MixTerm whole{std::make_shared<const WholePose>(std::move(unlocked)), 1, vectors.of(base),
                       shaped ? shape_vector(base->shape) : nullptr};
-  const MixSpaces spaces{vectors.space().get(), shaped ? vectors.shapes(pool).get() : nullptr};
-  WholePose pose = document::mixed_upon(whole, terms, spaces, linear);
+  const shapes::ShapeSpace* shapes = shaped ? vectors.shapes(pool).get() : nullptr;
+  WholePose pose = document::mixed_upon(whole, terms, vectors.space().get(), shapes, linear);
   keep_locked(document, pose);
   return std::make_shared<const WholePose>(std::move(pose));
 }
@@ -192,19 +193,47 @@ SharedPose unmixed_pose(const Document& document) {
   return mixed && shows(document, *source.pose) ? source.base : nullptr;
 }
 
+namespace {
+
+// Returns the pose upon which the weighted poses make the current pose. The current pose without the logs of
+// the weighted poses is not exact, because the cage is fitted to sums of logs. Therefore subtracts the logs
+// of the error as long as the error decreases.
+SharedPose unknown_base(const Document& document, VectorCache& vectors, const SharedPose& now,
+                        const PoseLibrary& weighted) {
+  const bool linear = document.timeline().linear;
+  PoseLibrary change = weighted;
+  for (NamedPose& named : change.poses) named.weight = -named.weight;
+  SharedPose base = mixed_upon(document, vectors, now, change, linear), best = base;
+  for (double least = std::numeric_limits<double>::infinity(); document.has_cage() && !now->shape;) {
+    const SharedPose mixed = mixed_upon(document, vectors, base, weighted, linear);
+    double error = 0;
+    for (std::size_t v = 0; v < now->cage.positions.size(); ++v)
+      error = std::max(error, mesh::largest_abs(now->cage.positions[v] - mixed->cage.positions[v]));
+    if (!(error < 0.9 * least)) break;
+    best = base;
+    if (error < 1e-12 * document.cage()->diagonal) break;
+    least = error;
+    change.poses = {{"", now, 1}, {"", mixed, -1}};
+    base = mixed_upon(document, vectors, base, change, linear);
+  }
+  return best;
+}
+
+}  // namespace
+
 SharedPose pose_without(const Document& document, VectorCache& vectors, PoseLibrary weighted) {
   const SharedPose now = shared_pose(document);
   if (!weighted.mixes()) return now;
   const PoseSource& source = document.source();
-  const bool knows_base = source.base && source.pose && shows(document, *source.pose);
-  const NamedPose* alone = only_mixed_pose(weighted);
-  if (!knows_base && alone && same_pose(*alone->pose, *now)) return rest_of(document);
-  const PoseLibrary upon_base = weights_upon_base(document);
-  for (std::size_t i = 0; i < weighted.poses.size(); ++i) {
-    double& weight = weighted.poses[i].weight;
-    weight = (knows_base ? upon_base.poses[i].weight : 0) - weight;
+  if (source.base && source.pose && shows(document, *source.pose)) {
+    const PoseLibrary upon_base = weights_upon_base(document);
+    for (std::size_t i = 0; i < weighted.poses.size(); ++i)
+      weighted.poses[i].weight = upon_base.poses[i].weight - weighted.poses[i].weight;
+    return mixed_upon(document, vectors, source.base, weighted, document.timeline().linear);
   }
-  return mixed_upon(document, vectors, knows_base ? source.base : now, weighted, document.timeline().linear);
+  const NamedPose* alone = only_mixed_pose(weighted);
+  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
+  return unknown_base(document, vectors, now, weighted);
 }
 
 std::string free_name(const PoseLibrary& library, const std::string& wish) {

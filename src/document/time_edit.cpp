@@ -158,33 +158,21 @@ void move_keys(Document& document, const Timeline& before, std::span<const KeyPl
   document.changed_timeline() = std::move(timeline);
 }
 
-namespace {
-
-// Calls act(key, place) for the pose keys and the keys of weights.
-template <class AnyTimeline, class Act>
-void for_eased_keys(AnyTimeline& timeline, const Act& act) {
-  for_each_track(timeline, [&](auto& keys, const std::string& name) {
-    for (auto& key : keys)
-      if constexpr (requires { key.easing; }) act(key, KeyPlace(key.frame, name));
-  });
-}
-
-}  // namespace
-
 void set_easing(Document& document, std::span<const KeyPlace> places, Easing easing) {
   Timeline timeline = document.timeline();
-  for_eased_keys(timeline, [&](auto& key, const KeyPlace& place) {
-    if (among(places, place)) key.easing = easing;
+  for_each_track(timeline, [&](auto& keys, const std::string& name) {
+    for (auto& key : keys)
+      if constexpr (requires { key.easing; })
+        if (among(places, {key.frame, name})) key.easing = easing;
   });
   if (timeline != document.timeline()) put_timeline(document, std::move(timeline), "change easing");
 }
 
 std::optional<Easing> easing_at(const Timeline& timeline, const KeyPlace& place) {
-  std::optional<Easing> easing;
-  for_eased_keys(timeline, [&](const auto& key, const KeyPlace& at) {
-    if (at == place) easing = key.easing;
-  });
-  return easing;
+  const auto easing_of = [](const auto* key) { return key ? std::optional(key->easing) : std::nullopt; };
+  if (place.channel.empty()) return easing_of(key_at(timeline, place.frame));
+  const Channel* channel = channel_of(timeline, place.channel);
+  return channel ? easing_of(key_at(channel->keys, place.frame)) : std::nullopt;
 }
 
 void put_timeline(Document& document, Timeline timeline, const std::string& label) {

@@ -122,16 +122,15 @@ std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
   const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // not lost by rounding to float
-  const auto add = [&](const auto& key, bool jumps) {
-    const double frame = key.frame;
-    if (frame <= what.first || frame > what.last) return;
-    samples[frame] = true;
-    if (jumps) samples[frame - jump] = true;
-  };
   for_each_track(what.timeline, [&](const auto& keys, const std::string&) {
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      if constexpr (requires { keys[i].easing; })
-        add(keys[i], i > 0 && keys[i - 1].easing == document::Easing::hold);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const double frame = keys[i].frame;
+      if constexpr (requires { keys[i].easing; }) {
+        if (frame <= what.first || frame > what.last) continue;
+        samples[frame] = true;
+        if (i > 0 && keys[i - 1].easing == document::Easing::hold) samples[frame - jump] = true;
+      }
+    }
   });
   std::vector<Sample> all;
   for (const auto& [frame, is_key] : samples) all.push_back({frame, is_key});

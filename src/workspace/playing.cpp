@@ -219,8 +219,9 @@ std::vector<double> shown_weights(const Workspace& w) {
   std::vector<double> weights(poses.size());
   std::ranges::transform(poses, weights.begin(), &document::NamedPose::weight);
   if (w.document.library().mixes() || !timeline.has_poses()) return weights;
-  const bool moves_weighted = !timeline.channels.empty() && differs_from_rest(w.document);
-  return moves_weighted || !has_unkeyed_pose(w) ? keyed_weights(w) : weights;
+  const bool edits_frame =
+      !timeline.channels.empty() && w.document.source().kind == document::PoseSource::Kind::frame;
+  return edits_frame || !has_unkeyed_pose(w) ? keyed_weights(w) : weights;
 }
 
 double weight_upon_keys(const Workspace& w, std::size_t pose) {

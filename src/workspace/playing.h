@@ -24,7 +24,7 @@ void go_to_key(Workspace& workspace, bool forward);
 /// The weight of each named pose in the pose of the keys at this frame.
 std::vector<double> keyed_weights(const Workspace& workspace);
 /// The weight of each named pose in the current pose, from the sliders or from the keys at this frame. If
-/// there are keyed weights, an edited pose still has the weights of the keys, unless it is the rest pose.
+/// there are keyed weights, an edit of the keyed pose does not change them, unless it resets the pose.
 std::vector<double> shown_weights(const Workspace& workspace);
 /// The shown weight without the share that the pose keys at this frame contain: the weight for a channel.
 double weight_upon_keys(const Workspace& workspace, std::size_t pose);

@@ -3,11 +3,14 @@
 #include <functional>
 
 #include "document/cage_editing.h"
+#include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "support/commands.h"
+#include "support/data.h"
 #include "support/edits.h"
+#include "support/open.h"
 #include "support/posed_cube.h"
 #include "workspace/playing.h"
 #include "workspace/time_gestures.h"
@@ -244,6 +247,47 @@ TEST_CASE("a_key_of_the_pose_does_not_contain_keyed_weights") {
   CHECK_FALSE(has_unkeyed_pose(p.w));
   CHECK(p.weight(0) == doctest::Approx(0.25));
   CHECK(p.weight(1) == doctest::Approx(0.5));
+}
+
+TEST_CASE("a_key_of_a_pose_upon_keyed_weights_does_not_move_a_cage_that_turns_and_bends") {
+  Workspace w;
+  REQUIRE(
+      test::open_now(w, {files::OpenRequest::What::model, {test::assets_dir() / "dragon" / "loop.viete"}}));
+  follow_time(w, 0);
+  set_weight_key(w.document, 0, 1, 1);
+  follow_time(w, 0);
+  go_to_frame(w, 46);  // the head is between two poses that differ by 195 degrees
+  record_edit(w.document, "move");
+  w.document.changed_pose().positions[40][1] += 0.1 * w.document.cage()->diagonal;
+  follow_time(w, 0);
+  const auto before = w.document.pose().positions;
+  REQUIRE(test::run_command(w, "set_key"));
+  follow_time(w, 0);
+  CHECK(test::largest_distance(before, w.document.pose().positions) < 1e-10 * w.document.cage()->diagonal);
+  CHECK_FALSE(has_unkeyed_pose(w));
+}
+
+TEST_CASE("a_part_that_is_moved_after_a_reset_is_a_pose_without_keyed_weights") {
+  Weighted p;
+  p.put_keys({{1, 0, Easing::constant_speed}, {11, 1}});
+  p.go_to(6);
+  reset_pose(p.document());
+  p.pass();
+  record_edit(p.document(), "move a part");
+  p.document().changed_pose().positions[0][0] -= 0.5;
+  p.pass();
+  const auto part = p.positions();
+  CHECK(p.weight(0) == 0);
+  REQUIRE(test::run_command(p.w, "keep_pose"));
+  p.pass();
+  CHECK(p.document().library().poses[2].pose->cage.positions == part);
+  p.press_i(2);
+  p.go_to(1);
+  p.go_to(6);
+  CHECK(p.weight(0) == doctest::Approx(0.5));
+  CHECK(p.weight(2) == 1);
+  CHECK(p.positions() != part);
+  CHECK(p.timeline().channels.size() == 2);
 }
 
 TEST_CASE("auto_key_keys_an_edited_cage_and_keeps_keyed_weights") {
