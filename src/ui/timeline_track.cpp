@@ -46,14 +46,14 @@ struct Track {
   float x_of(double frame) const { return low.x + static_cast<float>(seen().share_of(frame)) * width(); }
   double share_at(float x) const { return static_cast<double>((x - low.x) / width()); }
   double frame_at(float x) const { return seen().frame_at(share_at(x)); }
-  // Calls act(key, next key or null) for the keys of a row.
+  // Calls act(key, next key or null) for the keys of a row. The mouse can have removed its last key.
   template <class Act>
   void for_keys(const Row& row, const Act& act) const {
     const auto visit = [&](const auto& keys) {
       for (const auto& key : keys) act(key, &key == &keys.back() ? nullptr : &key + 1);
     };
-    if (!row.channel.empty()) return visit(channel_of(timeline(), row.channel)->keys);
-    row.cameras ? visit(timeline().cameras) : visit(timeline().keys);
+    if (row.channel.empty()) return row.cameras ? visit(timeline().cameras) : visit(timeline().keys);
+    if (const document::Channel* channel = channel_of(timeline(), row.channel)) visit(channel->keys);
   }
 };
 

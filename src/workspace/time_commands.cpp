@@ -113,7 +113,8 @@ void key_weight(Workspace& w, std::size_t pose) {
 }
 
 void key_pose(Workspace& w) {
-  if (const auto hovered = w.panels.hovered_weight) return key_weight(w, *hovered);
+  const auto hovered = w.panels.hovered_weight;
+  if (hovered && *hovered < w.document.library().poses.size()) return key_weight(w, *hovered);
   const int frame = current_frame(w.document);
   const auto set = [&] {
     set_key(w.document, frame, shown_weights(w), &w.playback.vectors);
@@ -177,9 +178,7 @@ void fit_range(Workspace& w) {
   w.view.time.seen = fitting(w.document.timeline());
 }
 
-}  // namespace
-
-void add_time_commands(CommandTable& table) {
+void add_pose_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("keep_pose", "Add pose",
             "Add the current pose, without the weighted poses, to the list with the weight 100 %.", can_pose,
@@ -198,14 +197,20 @@ void add_time_commands(CommandTable& table) {
             "Set a key of the chosen pose's weight at this frame, or delete it. The pose is then animated on "
             "its own row.",
             has_chosen_pose, [](Workspace& w) { key_weight(w, *w.view.chosen_pose); });
+}
+
+}  // namespace
+
+void add_time_commands(CommandTable& table) {
+  add_pose_commands(table);
   table.heading("Time");
   table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
             {[](Workspace& w) { w.playback.playing ? stop_playing(w) : start_playing(w); },
              [](const Workspace& w) { return w.playback.playing; }});
   table.add(
       "set_key", "Set key",
-      "Set a key for the current pose at this frame. With the pointer over the slider of a pose, set or "
-      "delete a key of its weight.",
+      "Set a key for the current pose at this frame. Over the slider of a pose, set or delete a key of its "
+      "weight.",
       {key('I')}, can_pose, key_pose);
   table.add("set_camera_key", {"Set camera key", "Camera key"},
             "Set a key for the current camera at this frame.", {key('I'), false, true}, can_key_camera,

@@ -127,9 +127,10 @@ TEST_CASE("the_mouse_drags_eases_selects_and_deletes_keys_of_one_row") {
   d.press_key(workspace::Key::delete_key);
   CHECK(d.keys("Pose 1").size() == 1);
   CHECK(d.keys("Pose 0").size() == 2);
-  d.click(d.in_row(2, 1));
-  d.press_key(workspace::Key::delete_key);
+  d.click(d.in_row(2, 1), 1);
+  d.click("key_menu/delete_keys");
   CHECK(d.timeline().channels.size() == 1);
+  CHECK_FALSE(d.has("time/row/2"));
   CHECK(d.timeline().keys.size() == 1);
 }
 
