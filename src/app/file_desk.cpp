@@ -211,7 +211,7 @@ void FileDesk::save(workspace::Workspace& w, const workspace::SaveFile& wish) {
       if (movable) export_to(w, wish.file, &FileDesk::start_export);
       return;
     case Content::animation:
-      if (movable && !w.document.timeline().keys.empty())
+      if (movable && w.document.timeline().has_poses())
         export_to(w, wish.file, &FileDesk::start_animation_export);
       return;
   }

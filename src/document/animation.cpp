@@ -132,6 +132,7 @@ Animation::Animation(const Timeline& timeline, VectorCache& vectors)
     take_farthest(key.pose->cage.positions);
     if (key.pose->shape) take_farthest(*key.pose->shape);
   }
+  add_channels(vectors);
   if (!space_) return;
   std::span<const mesh::Vec3> turns;
   for (const PoseKey& key : timeline_.keys) {
@@ -140,6 +141,20 @@ Animation::Animation(const Timeline& timeline, VectorCache& vectors)
   }
   for (std::size_t i = 0; i + 1 < vectors_.size(); ++i)
     anchors_.push_back(space_->logs().anchors_between(*vectors_[i], *vectors_[i + 1]));
+}
+
+void Animation::add_channels(VectorCache& vectors) {
+  base::WorkerPool pool;
+  for (const Channel& channel : timeline_.channels) {
+    shapes::ShapeReport report;
+    const SharedPose& pose = channel.pose;
+    channels_.push_back(
+        {pose, 0, vectors.of(pose), pose->shape ? vectors.of(pose->shape, nullptr, pool, report) : nullptr});
+    take_farthest(pose->cage.positions);
+    if (!pose->shape) continue;
+    take_farthest(*pose->shape);
+    shapes_ = vectors.shapes(pool);
+  }
 }
 
 void Animation::take_farthest(std::span<const mesh::Point> positions) {
@@ -166,11 +181,35 @@ WholePose Animation::key(std::size_t key) const {
   return pose;
 }
 
-WholePose Animation::at(double frame, bool linear) const {
+SharedPose Animation::base(double frame, bool linear) const {
+  WholePose pose;
+  if (timeline_.keys.empty()) {
+    if (space_) pose.cage = pose::rest_pose(space_->cage());
+    return std::make_shared<const WholePose>(std::move(pose));
+  }
   const Moment moment = moment_at(timeline_, frame);
-  if (moment.shares.size() == 1) return key(moment.shares.front().key);
-  WholePose pose = blend(moment, linear);
-  return in_range(pose, farthest_) ? pose : key(moment.from);
+  if (moment.shares.size() > 1) pose = blend(moment, linear);
+  if (moment.shares.size() == 1 || !in_range(pose, farthest_)) pose = key(moment.from);
+  return std::make_shared<const WholePose>(std::move(pose));
+}
+
+WholePose Animation::with_channels(const SharedPose& base, double frame, bool linear) const {
+  std::vector<MixTerm> terms;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    terms.push_back(channels_[i]);
+    terms.back().weight = weight_at(timeline_, timeline_.channels[i], frame);
+  }
+  std::erase_if(terms, [](const MixTerm& term) { return term.weight == 0; });
+  if (terms.empty()) return *base;
+  MixTerm whole{base, 1};
+  if (space_) whole.cage = std::make_shared<const shapes::LogVector>(space_->vector(base->cage));
+  if (std::ranges::any_of(terms, [](const MixTerm& term) { return term.shape != nullptr; })) {
+    base::WorkerPool pool;
+    whole.shape = std::make_shared<const shapes::LogVector>(base->shape ? shapes_->vector(*base->shape, pool)
+                                                                        : shapes_->at_rest());
+  }
+  WholePose pose = mixed_upon(whole, terms, space_.get(), shapes_.get(), linear);
+  return in_range(pose, farthest_) ? pose : *base;
 }
 
 WholePose Animation::blend(const Moment& moment, bool linear) const {
@@ -179,7 +218,7 @@ WholePose Animation::blend(const Moment& moment, bool linear) const {
   std::vector<ProbeTerm> probes;
   for (const auto& [key, factor] : moment.shares) probes.push_back({&keys[key].pose->probes, factor});
   pose.probes = blended_probes(probes);
-  if (shapes_) pose.shape = blended_shape(moment, linear);
+  if (!shape_vectors_.empty()) pose.shape = blended_shape(moment, linear);
   if (!space_) return pose;
   std::vector<shapes::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
@@ -259,6 +298,48 @@ SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> te
   if (linear) return blended(space, sum, nullptr, pool);
   const shapes::AnchorWeights anchors = space.logs().anchors_from(space.logs().at_rest(), sum);
   return blended(space, sum, &anchors, pool);
+}
+
+namespace {
+
+bool is_rest_pose(const WholePose& pose, const shapes::PoseSpace* space) {
+  return !pose.shape && (!space || pose.cage.positions == space->cage().surface.positions) &&
+         std::ranges::all_of(pose.probes, [](const auto& p) { return p == pose::ProbePose{}; }) &&
+         std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
+}
+
+SharedShape shape_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::ShapeSpace* space,
+                       bool linear) {
+  std::vector<const MixTerm*> shapes;
+  for (const MixTerm& term : terms)
+    if (term.pose->shape) shapes.push_back(&term);
+  if (shapes.empty()) return base.pose->shape;
+  if (!base.pose->shape && shapes.size() == 1 && shapes.front()->weight == 1)
+    return shapes.front()->pose->shape;
+  std::vector<shapes::LogTerm> sum;
+  for (const MixTerm* term : shapes) sum.push_back({term->shape.get(), term->weight});
+  const shapes::AnchorWeights anchors = space->logs().anchors_from(*base.shape, sum);
+  sum.push_back({base.shape.get(), 1});
+  base::WorkerPool pool;
+  return blended(*space, sum, linear ? nullptr : &anchors, pool);
+}
+
+}  // namespace
+
+WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
+                     const shapes::ShapeSpace* shapes, bool linear) {
+  if (terms.empty()) return *base.pose;
+  if (terms.size() == 1 && terms[0].weight == 1 && is_rest_pose(*base.pose, poses)) return *terms[0].pose;
+  std::vector<ProbeTerm> probes{{&base.pose->probes, 1}};
+  for (const MixTerm& term : terms) probes.push_back({&term.pose->probes, term.weight});
+  WholePose pose{base.pose->cage, blended_probes(probes), shape_upon(base, terms, shapes, linear)};
+  if (!poses) return pose;
+  std::vector<shapes::LogTerm> sum;
+  for (const MixTerm& term : terms) sum.push_back({term.cage.get(), term.weight});
+  const shapes::AnchorWeights anchors = poses->logs().anchors_from(*base.cage, sum);
+  sum.push_back({base.cage.get(), 1});
+  pose.cage = linear ? poses->linear(sum) : poses->pose(sum, anchors);
+  return pose;
 }
 
 std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports) {

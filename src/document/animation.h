@@ -36,6 +36,19 @@ void keep_flat(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm>
 SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
+/// A pose with its weight in a mix.
+struct MixTerm {
+  SharedPose pose;
+  double weight;
+  std::shared_ptr<const shapes::LogVector> cage{};   ///< null without a cage
+  std::shared_ptr<const shapes::LogVector> shape{};  ///< null if no pose of the mix has a shape
+};
+/// Returns `base`, whose weight is ignored, plus the weighted poses. Probes are always blended in log space.
+/// If the base is the rest pose and a single pose has the weight 1, returns this pose unchanged. `poses` is
+/// null without a cage, `shapes` can be null if no pose of `terms` has a shape.
+WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
+                     const shapes::ShapeSpace* shapes, bool linear);
+
 /// Returns messages about problems in the shapes, for the user.
 std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports);
 
@@ -91,6 +104,9 @@ private:
 /// Between keys, blends the cage and the shape in log space (see PoseSpace). If the timeline is linear,
 /// blends vertex positions instead. Always blends probes in log space. The `smooth` easing can overshoot: if
 /// the result is out of the drawable range, returns the pose of the previous key.
+///
+/// Adds the poses of the channels with mixed_upon(), unless the sum is out of the drawable range. Without
+/// pose keys, adds them to the rest pose.
 class Animation {
 public:
   /// The poses and shapes of all keys must fit the cage and the model of `vectors`. Throws base::Error if a
@@ -102,9 +118,18 @@ public:
 
   WholePose at(double frame) const { return at(frame, timeline_.linear); }
   /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting.
-  WholePose at(double frame, bool linear) const;
+  WholePose at(double frame, bool linear) const { return with_channels(base(frame, linear), frame, linear); }
+  /// Returns the pose of the pose keys, without the channels.
+  SharedPose base(double frame) const { return base(frame, timeline_.linear); }
+  /// Returns `base` plus the weighted poses of the channels.
+  WholePose with_channels(const SharedPose& base, double frame) const {
+    return with_channels(base, frame, timeline_.linear);
+  }
 
 private:
+  SharedPose base(double frame, bool linear) const;
+  WholePose with_channels(const SharedPose& base, double frame, bool linear) const;
+  void add_channels(VectorCache& vectors);
   WholePose key(std::size_t key) const;
   WholePose blend(const Moment& moment, bool linear) const;
   SharedShape blended_shape(const Moment& moment, bool linear) const;
@@ -117,8 +142,9 @@ private:
   std::vector<std::shared_ptr<const shapes::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<shapes::AnchorWeights> anchors_;                     // one per interval between keys
 
-  std::shared_ptr<const shapes::ShapeSpace> shapes_;  // null if no key has a shape
-  std::vector<std::shared_ptr<const shapes::LogVector>> shape_vectors_;
+  std::vector<MixTerm> channels_;                     // without weights
+  std::shared_ptr<const shapes::ShapeSpace> shapes_;  // null if no key and no channel has a shape
+  std::vector<std::shared_ptr<const shapes::LogVector>> shape_vectors_;  // one per key; empty without shapes
   std::vector<shapes::AnchorWeights> shape_anchors_;
   std::vector<std::string> notes_;
 };

@@ -60,7 +60,8 @@ struct PoseSource {
   };
   Kind kind = Kind::edited;
   SharedPose pose{};                 ///< the pose that the source has computed; null for `edited`
-  SharedPose base{};                 ///< of a mix: the pose without the weighted poses; null if unknown
+  SharedPose base{};                 ///< of a mix or frame: the pose without the weights; null if unknown
+  bool on_keys = false;              ///< of a mix: the base is the pose of the keys without the weights
   bool keyed = false;                ///< the keys give this pose at the current frame, too
   std::optional<pose::Pose> kept{};  ///< during cage editing, the cage's pose, which is not shown
 };

@@ -40,6 +40,7 @@ bool differs_from_rest(const Document& document) {
 void reset_pose(Document& document) {
   record_edit(document, "reset pose");
   end_mix(document);
+  document.changed_source().kind = PoseSource::Kind::edited;
   document.put_shape(nullptr);
   if (document.has_cage()) document.changed_pose() = pose::rest_pose(*document.cage());
   for (pose::Probe& probe : document.changed_probes().all) {

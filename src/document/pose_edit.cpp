@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -21,49 +22,6 @@ void keep_locked(const Document& document, WholePose& pose) {
     if (all[i].locked) pose.probes[i] = all[i].pose;
 }
 
-// Returns the shape `from` plus `sign` * the mix of the library.
-SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const SharedShape& from,
-                         double sign) {
-  std::vector<ShapeTerm> shapes;
-  for (const NamedPose& named : state.library.poses) {
-    if (named.weight != 0 && named.pose->shape) shapes.push_back({named.pose->shape, sign * named.weight});
-  }
-  if (shapes.empty()) return from;
-  if (!from && shapes.size() == 1 && shapes.front().factor == 1) return shapes.front().shape;
-  base::WorkerPool pool;
-  std::vector<shapes::LogTerm> terms;
-  const auto vector_of = [&](const SharedShape& shape) {
-    shapes::ShapeReport report;
-    return vectors.of(shape, nullptr, pool, report).get();
-  };
-  for (const ShapeTerm& term : shapes) terms.push_back({vector_of(term.shape), term.factor});
-  const shapes::LogVector* base = vector_of(from);
-  const shapes::ShapeSpace& space = *vectors.shapes(pool);
-  const shapes::AnchorWeights anchors = space.logs().anchors_from(*base, terms);
-  terms.push_back({base, 1});
-  return blended(space, terms, state.timeline.linear ? nullptr : &anchors, pool);
-}
-
-// Returns the pose `from` plus `sign` * the mix of the state's library.
-WholePose mix_of(const Document& document, const DocumentState& state, VectorCache& vectors,
-                 const SharedPose& from, double sign) {
-  std::vector<ProbeTerm> probes{{&from->probes, 1}};
-  for (const NamedPose& named : state.library.poses)
-    probes.push_back({&named.pose->probes, sign * named.weight});
-  WholePose pose{from->cage, blended_probes(probes)};
-  keep_locked(document, pose);
-  pose.shape = shape_of_mix(state, vectors, from->shape, sign);
-  if (!document.has_cage()) return pose;
-  const auto base = vectors.of(from);
-  std::vector<shapes::LogTerm> terms;
-  for (const NamedPose& named : state.library.poses)
-    if (named.weight != 0) terms.push_back({vectors.of(named.pose).get(), sign * named.weight});
-  const shapes::AnchorWeights anchors = vectors.space()->logs().anchors_from(*base, terms);
-  terms.push_back({base.get(), 1});
-  pose.cage = state.timeline.linear ? vectors.space()->linear(terms) : vectors.space()->pose(terms, anchors);
-  return pose;
-}
-
 SharedPose rest_of(const Document& document) {
   WholePose pose;
   if (document.has_cage()) pose.cage = pose::rest_pose(*document.cage());
@@ -71,10 +29,34 @@ SharedPose rest_of(const Document& document) {
   return std::make_shared<const WholePose>(std::move(pose));
 }
 
-bool is_rest_pose(const Document& document, const WholePose& pose) {
-  return !pose.shape && (!document.has_cage() || pose.cage.positions == document.cage()->surface.positions) &&
-         std::ranges::all_of(pose.probes, [](const auto& p) { return p == pose::ProbePose{}; }) &&
-         std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
+// Returns `base` plus the weighted poses of the library. Locked probes keep their current pose.
+SharedPose mixed_upon(const Document& document, VectorCache& vectors, const SharedPose& base,
+                      const PoseLibrary& library, bool linear) {
+  if (!library.mixes()) return base;
+  vectors.follow(document.cage());
+  vectors.follow_model(document.model().surface);
+  const auto& probes = document.probes().all;
+  base::WorkerPool pool;
+  bool shaped = false;
+  const auto shape_vector = [&](const SharedShape& shape) {
+    shapes::ShapeReport report;
+    return vectors.of(shape, nullptr, pool, report);
+  };
+  std::vector<MixTerm> terms;
+  for (const auto& [name, pose, weight] : library.poses) {
+    if (weight == 0) continue;
+    shaped |= pose->shape != nullptr;
+    terms.push_back({pose, weight, vectors.of(pose), pose->shape ? shape_vector(pose->shape) : nullptr});
+  }
+  WholePose unlocked = *base;
+  for (std::size_t i = 0; i < std::min(probes.size(), unlocked.probes.size()); ++i)
+    if (probes[i].locked) unlocked.probes[i] = {};
+  const MixTerm whole{std::make_shared<const WholePose>(std::move(unlocked)), 1, vectors.of(base),
+                      shaped ? shape_vector(base->shape) : nullptr};
+  const shapes::ShapeSpace* shapes = shaped ? vectors.shapes(pool).get() : nullptr;
+  WholePose pose = document::mixed_upon(whole, terms, vectors.space().get(), shapes, linear);
+  keep_locked(document, pose);
+  return std::make_shared<const WholePose>(std::move(pose));
 }
 
 // If only one pose has a nonzero weight, and this weight is 1, returns the pose. Otherwise returns null.
@@ -88,22 +70,13 @@ const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   return found;
 }
 
-// Returns the current pose without the mix of the state `mixed`.
-SharedPose without_mix(const Document& document, const DocumentState& mixed, VectorCache& vectors) {
-  const SharedPose now = shared_pose(document);
-  if (!mixed.library.mixes()) return now;
-  if (const SharedPose known = unmixed_pose(document)) return known;
-  const NamedPose* alone = only_mixed_pose(mixed.library);
-  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
-  return std::make_shared<const WholePose>(mix_of(document, mixed, vectors, now, -1));
-}
-
-SharedPose mixed_upon(const Document& document, const DocumentState& state, VectorCache& vectors,
-                      const SharedPose& base) {
-  if (!state.library.mixes()) return base;
-  const NamedPose* alone = only_mixed_pose(state.library);
-  if (alone && is_rest_pose(document, *base)) return alone->pose;
-  return std::make_shared<const WholePose>(mix_of(document, state, vectors, base, 1));
+// The named poses, with the weights that PoseSource::base does not contain.
+PoseLibrary weights_upon_base(const Document& document) {
+  PoseLibrary library = document.library();
+  if (document.source().kind != PoseSource::Kind::frame) return library;
+  for (NamedPose& named : library.poses)
+    named.weight = weight_at(document.timeline(), named.name, document.frame());
+  return library;
 }
 
 bool are_weights(const PoseLibrary& library) {
@@ -112,24 +85,32 @@ bool are_weights(const PoseLibrary& library) {
   });
 }
 
+// True if the current pose is that of the keys, possibly with other weights.
+bool is_on_keys(const Document& document) {
+  const PoseSource& source = document.source();
+  return source.pose && shows(document, *source.pose) &&
+         (source.keyed || (source.kind == PoseSource::Kind::mix && source.on_keys));
+}
+
 // Calls `change` for a copy of the state, and applies the new mix. If a weight or the new pose is out of
 // range, changes nothing and returns false. set_weight() explains `played`.
 template <class Change>
 bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
            EditStep step = {}, std::span<const double> played = {}) {
-  vectors.follow(document.cage());
-  vectors.follow_model(document.model().surface);
   DocumentState changed = document.state();
   for (std::size_t i = 0; i < played.size(); ++i) changed.library.poses[i].weight = played[i];
-  const SharedPose base = without_mix(document, changed, vectors);
+  const SharedPose base = pose_without(document, vectors, changed.library);
   change(changed);
-  const SharedPose pose = mixed_upon(document, changed, vectors, base);
+  const SharedPose pose = mixed_upon(document, vectors, base, changed.library, changed.timeline.linear);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
-  record_step(document, label, step, step.kind == EditKind::mix);
+  const bool on_keys = is_on_keys(document);
+  const DocumentState* last = document.history().before_last();
+  record_step(document, label, step, step.kind == EditKind::mix && last && last->frame == document.frame());
   document.changed_library() = std::move(changed.library);
   document.changed_timeline() = std::move(changed.timeline);
   const bool mixes = document.library().mixes();
   show_pose(document, *pose, mixes ? PoseSource::Kind::mix : PoseSource::Kind::edited, base);
+  document.changed_source().on_keys = on_keys;
   return true;
 }
 
@@ -212,6 +193,49 @@ SharedPose unmixed_pose(const Document& document) {
   return mixed && shows(document, *source.pose) ? source.base : nullptr;
 }
 
+namespace {
+
+// Returns the pose upon which the weighted poses make the current pose. The current pose without the logs of
+// the weighted poses is not exact, because the cage is fitted to sums of logs. Therefore subtracts the logs
+// of the error as long as the error decreases.
+SharedPose unknown_base(const Document& document, VectorCache& vectors, const SharedPose& now,
+                        const PoseLibrary& weighted) {
+  const bool linear = document.timeline().linear;
+  PoseLibrary change = weighted;
+  for (NamedPose& named : change.poses) named.weight = -named.weight;
+  SharedPose base = mixed_upon(document, vectors, now, change, linear), best = base;
+  for (double least = std::numeric_limits<double>::infinity(); document.has_cage() && !now->shape;) {
+    const SharedPose mixed = mixed_upon(document, vectors, base, weighted, linear);
+    double error = 0;
+    for (std::size_t v = 0; v < now->cage.positions.size(); ++v)
+      error = std::max(error, mesh::largest_abs(now->cage.positions[v] - mixed->cage.positions[v]));
+    if (!(error < 0.9 * least)) break;
+    best = base;
+    if (error < 1e-12 * document.cage()->diagonal) break;
+    least = error;
+    change.poses = {{"", now, 1}, {"", mixed, -1}};
+    base = mixed_upon(document, vectors, base, change, linear);
+  }
+  return best;
+}
+
+}  // namespace
+
+SharedPose pose_without(const Document& document, VectorCache& vectors, PoseLibrary weighted) {
+  const SharedPose now = shared_pose(document);
+  if (!weighted.mixes()) return now;
+  const PoseSource& source = document.source();
+  if (source.base && source.pose && shows(document, *source.pose)) {
+    const PoseLibrary upon_base = weights_upon_base(document);
+    for (std::size_t i = 0; i < weighted.poses.size(); ++i)
+      weighted.poses[i].weight = upon_base.poses[i].weight - weighted.poses[i].weight;
+    return mixed_upon(document, vectors, source.base, weighted, document.timeline().linear);
+  }
+  const NamedPose* alone = only_mixed_pose(weighted);
+  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
+  return unknown_base(document, vectors, now, weighted);
+}
+
 std::string free_name(const PoseLibrary& library, const std::string& wish) {
   const std::string base = wish.empty() ? "pose" : base::cut(wish, PoseLibrary::longest_name);
   std::string name = base;
@@ -220,6 +244,15 @@ std::string free_name(const PoseLibrary& library, const std::string& wish) {
     name = base::cut(base, PoseLibrary::longest_name - number.size()) + number;
   }
   return name;
+}
+
+void follow_library(const PoseLibrary& library, Timeline& timeline) {
+  const auto pose_of = [&](const Channel& channel) {
+    const auto named = std::ranges::find(library.poses, channel.name, &NamedPose::name);
+    return named == library.poses.end() ? nullptr : named->pose;
+  };
+  for (Channel& channel : timeline.channels) channel.pose = pose_of(channel);
+  std::erase_if(timeline.channels, [](const Channel& channel) { return !channel.pose; });
 }
 
 namespace {
@@ -250,6 +283,7 @@ void mix_upon_rest(Document& document) {
   source.kind = PoseSource::Kind::mix;
   source.pose = shared_pose(document);
   source.base = rest_of(document);
+  source.on_keys = false;
 }
 
 // Sets the weight of a named pose, which the document must have, to 1 and the other weights to 0.
@@ -274,11 +308,9 @@ std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const d
 
 std::size_t keep_pose(Document& document, VectorCache& vectors, const std::string& name,
                       std::span<const double> played) {
-  vectors.follow(document.cage());
-  vectors.follow_model(document.model().surface);
-  DocumentState weighted = document.state();
-  for (std::size_t i = 0; i < played.size(); ++i) weighted.library.poses[i].weight = played[i];
-  const SharedPose added = without_mix(document, weighted, vectors);
+  PoseLibrary weighted = document.library();
+  for (std::size_t i = 0; i < played.size(); ++i) weighted.poses[i].weight = played[i];
+  const SharedPose added = pose_without(document, vectors, weighted);
   if (!in_range(*added))
     throw base::Error("", "the current pose is too far from the weighted poses", "clear the weights first");
   add_named(document, {{name, added}}, "add pose");
@@ -309,6 +341,7 @@ void update_pose(Document& document, std::size_t pose) {
   document.changed_library().poses[pose].pose = shared_pose(document);
   mix_only(document, pose);
   rename_in_keys(document.changed_timeline(), document.library().poses[pose].name, "");
+  follow_library(document.library(), document.changed_timeline());
 }
 
 void apply_pose(Document& document, std::size_t pose) {
@@ -323,6 +356,8 @@ void rename_pose(Document& document, std::size_t pose, const std::string& name) 
   const std::string before = std::exchange(document.changed_library().poses[pose].name, "");
   document.changed_library().poses[pose].name = free_name(document.library(), name);
   rename_in_keys(document.changed_timeline(), before, document.library().poses[pose].name);
+  for (Channel& channel : document.changed_timeline().channels)
+    if (channel.name == before) channel.name = document.library().poses[pose].name;
 }
 
 void move_pose(Document& document, std::size_t pose, std::size_t to) {
@@ -340,6 +375,7 @@ void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
     auto& poses = state.library.poses;
     rename_in_keys(state.timeline, poses[pose].name, "");
     poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
+    follow_library(state.library, state.timeline);
   };
   if (document.library().poses[pose].weight != 0 && remix(document, vectors, label, erase)) return;
   record_edit(document, label);
@@ -371,11 +407,7 @@ bool clear_mix(Document& document, VectorCache& vectors) {
 SharedPose mixed_by(const Document& document, VectorCache& vectors, bool linear) {
   const SharedPose base = unmixed_pose(document);
   if (!base) return nullptr;
-  vectors.follow(document.cage());
-  vectors.follow_model(document.model().surface);
-  DocumentState state = document.state();
-  state.timeline.linear = linear;
-  const SharedPose pose = mixed_upon(document, state, vectors, base);
+  const SharedPose pose = mixed_upon(document, vectors, base, document.library(), linear);
   return in_range(*pose) ? pose : nullptr;
 }
 
@@ -401,6 +433,7 @@ void change_poses(Document& document, const Change& change) {
   for (NamedPose& named : document.changed_library().poses) put(named.pose);
   for (auto* keys : {&document.changed_timeline().keys, &document.changed_timeline().unkeyed})
     for (PoseKey& key : *keys) put(key.pose);
+  follow_library(document.library(), document.changed_timeline());
 }
 
 }  // namespace
@@ -435,6 +468,7 @@ std::string drop_poses(Document& document, const pose::Cage& by) {
   const std::size_t poses = keep_shapes(document.changed_library().poses, rest);
   const std::size_t keys = keep_shapes(document.changed_timeline().keys, rest);
   keep_shapes(document.changed_timeline().unkeyed, rest);
+  follow_library(document.library(), document.changed_timeline());
   return counted_poses(poses, keys);
 }
 

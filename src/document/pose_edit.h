@@ -33,6 +33,12 @@ void end_mix(Document& document);
 /// Returns the pose without the mix. If all weights are 0, or the pose was edited after mixing, returns null.
 SharedPose unmixed_pose(const Document& document);
 
+/// Returns the current pose without the poses of the library `weighted`, which has other weights than the
+/// document's library.
+SharedPose pose_without(const Document& document, VectorCache& vectors, PoseLibrary weighted);
+/// After a change of the named poses: puts them into their channels, and removes channels of removed poses.
+void follow_library(const PoseLibrary& library, Timeline& timeline);
+
 /// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 
@@ -60,9 +66,9 @@ void move_pose(Document& document, std::size_t pose, std::size_t to);
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
 /// Sets a pose's weight in the mix, clamped to the range in PoseLibrary. Consecutive changes for one pose
-/// form one edit. If the mix would be out of the drawable range (see in_range()), changes nothing and returns
-/// false. If the current pose comes from keys, `played` has the weights of all named poses in this pose.
-/// Otherwise `played` is empty.
+/// at one frame form one edit. If the mix would be out of the drawable range (see in_range()), changes
+/// nothing and returns false. If the current pose comes from keys, `played` has the weights of all named
+/// poses in this pose. Otherwise `played` is empty.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
 /// Sets all weights to 0. Can return false like set_weight().

@@ -20,8 +20,8 @@ void check_frame(int frame) {
                           std::to_string(Timeline::largest_frame));
 }
 
-bool among(std::span<const int> frames, int frame) {
-  return std::ranges::find(frames, frame) != frames.end();
+bool among(std::span<const KeyPlace> places, const KeyPlace& place) {
+  return std::ranges::find(places, place) != places.end();
 }
 
 template <class Key>
@@ -37,22 +37,48 @@ void include(Timeline& timeline, int frame) {
   timeline.last = std::max(timeline.last, frame);
 }
 
-void put_key(Timeline& timeline, int frame, const Document& document, std::span<const double> weights) {
+void put_weight_key(Timeline& timeline, const NamedPose& named, int frame, double weight) {
   check_frame(frame);
-  PoseKey& key = key_for(timeline.keys, frame);
-  key.pose = shared_pose(document);
-  key.mix = mixed_poses(document.library(), weights);
+  auto channel = std::ranges::find(timeline.channels, named.name, &Channel::name);
+  if (channel == timeline.channels.end())
+    channel = timeline.channels.insert(channel, {named.name, named.pose});
+  key_for(channel->keys, frame).weight =
+      std::clamp(weight, -Channel::largest_weight, Channel::largest_weight);
   include(timeline, frame);
 }
 
+Timeline with_key(const Document& document, int frame, std::span<const double> weights,
+                  VectorCache* vectors) {
+  check_frame(frame);
+  Timeline timeline = document.timeline();
+  const auto& poses = document.library().poses;
+  PoseLibrary keyed = document.library();
+  std::vector<double> others(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double weight = weights.empty() ? poses[i].weight : weights[i];
+    const bool has_channel = channel_of(timeline, poses[i].name) != nullptr;
+    keyed.poses[i].weight = has_channel ? weight : 0;
+    others[i] = has_channel ? 0 : weight;
+    if (has_channel && weight_at(document.timeline(), poses[i].name, frame) != weight)
+      put_weight_key(timeline, poses[i], frame, weight);
+  }
+  VectorCache own;
+  PoseKey& key = key_for(timeline.keys, frame);
+  key.pose = pose_without(document, vectors ? *vectors : own, keyed);
+  key.mix = mixed_poses(document.library(), others);
+  include(timeline, frame);
+  return timeline;
+}
+
 template <class Key>
-void move_in(std::vector<Key>& keys, std::span<const int> frames, std::span<const int> to) {
+void move_in(std::vector<Key>& keys, const std::string& name, std::span<const KeyPlace> places,
+             std::span<const int> to) {
   std::vector<Key> moved;
   std::erase_if(keys, [&](const Key& key) {
-    const auto found = std::ranges::find(frames, key.frame);
-    if (found == frames.end()) return false;
+    const auto found = std::ranges::find(places, KeyPlace(key.frame, name));
+    if (found == places.end()) return false;
     moved.push_back(key);
-    moved.back().frame = to[static_cast<std::size_t>(found - frames.begin())];
+    moved.back().frame = to[static_cast<std::size_t>(found - places.begin())];
     return true;
   });
   for (Key& key : moved) key_for(keys, key.frame) = key;
@@ -64,14 +90,24 @@ int current_frame(const Document& document) {
   return static_cast<int>(std::lround(document.frame()));
 }
 
-void set_key(Document& document, int frame, std::span<const double> weights) {
-  Timeline timeline = document.timeline();
-  put_key(timeline, frame, document, weights);
-  put_timeline(document, std::move(timeline), "set key");
+void set_key(Document& document, int frame, std::span<const double> weights, VectorCache* vectors) {
+  put_timeline(document, with_key(document, frame, weights, vectors), "set key");
 }
 
-void add_key_to_edit(Document& document, int frame) {
-  put_key(document.changed_timeline(), frame, document, {});
+void add_key_to_edit(Document& document, int frame, std::span<const double> weights, VectorCache* vectors) {
+  document.changed_timeline() = with_key(document, frame, weights, vectors);
+  document.changed_history().extend_last();
+}
+
+void set_weight_key(Document& document, std::size_t pose, int frame, double weight) {
+  Timeline timeline = document.timeline();
+  const NamedPose& named = document.library().poses[pose];
+  put_weight_key(timeline, named, frame, weight);
+  put_timeline(document, std::move(timeline), "set key of " + named.name);
+}
+
+void add_weight_key_to_edit(Document& document, std::size_t pose, int frame, double weight) {
+  put_weight_key(document.changed_timeline(), document.library().poses[pose], frame, weight);
   document.changed_history().extend_last();
 }
 
@@ -102,31 +138,41 @@ void set_turntable(Document& document, const CameraPose& camera) {
   }
 }
 
-void remove_keys(Document& document, std::span<const int> frames) {
+void remove_keys(Document& document, std::span<const KeyPlace> places) {
   Timeline timeline = document.timeline();
-  const auto gone = [&](const auto& key) { return among(frames, key.frame); };
-  if (std::erase_if(timeline.keys, gone) + std::erase_if(timeline.cameras, gone) > 0)
-    put_timeline(document, std::move(timeline), "delete keys");
+  for_each_track(timeline, [&](auto& keys, const std::string& name) {
+    std::erase_if(keys, [&](const auto& key) { return among(places, {key.frame, name}); });
+  });
+  std::erase_if(timeline.channels, [](const Channel& channel) { return channel.keys.empty(); });
+  if (timeline != document.timeline()) put_timeline(document, std::move(timeline), "delete keys");
 }
 
-void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
+void move_keys(Document& document, const Timeline& before, std::span<const KeyPlace> places,
                std::span<const int> to) {
   for (const int frame : to) check_frame(frame);
   const DocumentState* last = document.history().before_last();
   record_step(document, "move keys", {EditKind::keys}, last && last->timeline == before);
   Timeline timeline = before;
-  move_in(timeline.keys, frames, to);
-  move_in(timeline.cameras, frames, to);
+  for_each_track(timeline, [&](auto& keys, const std::string& name) { move_in(keys, name, places, to); });
   for (const int frame : to) include(timeline, frame);
   document.changed_timeline() = std::move(timeline);
 }
 
-void set_easing(Document& document, std::span<const int> frames, Easing easing) {
-  const auto changes = [&](const PoseKey& key) { return among(frames, key.frame) && key.easing != easing; };
-  if (std::ranges::none_of(document.timeline().keys, changes)) return;
-  record_edit(document, "change easing");
-  for (PoseKey& key : document.changed_timeline().keys)
-    if (among(frames, key.frame)) key.easing = easing;
+void set_easing(Document& document, std::span<const KeyPlace> places, Easing easing) {
+  Timeline timeline = document.timeline();
+  for_each_track(timeline, [&](auto& keys, const std::string& name) {
+    for (auto& key : keys)
+      if constexpr (requires { key.easing; })
+        if (among(places, {key.frame, name})) key.easing = easing;
+  });
+  if (timeline != document.timeline()) put_timeline(document, std::move(timeline), "change easing");
+}
+
+std::optional<Easing> easing_at(const Timeline& timeline, const KeyPlace& place) {
+  const auto easing_of = [](const auto* key) { return key ? std::optional(key->easing) : std::nullopt; };
+  if (place.channel.empty()) return easing_of(key_at(timeline, place.frame));
+  const Channel* channel = channel_of(timeline, place.channel);
+  return channel ? easing_of(key_at(channel->keys, place.frame)) : std::nullopt;
 }
 
 void put_timeline(Document& document, Timeline timeline, const std::string& label) {

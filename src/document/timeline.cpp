@@ -8,17 +8,25 @@ namespace viete::document {
 
 namespace {
 
-// The frames and easings of the pose keys, or of the camera keys.
-struct Track {
+// The frames and easings of keys. The easing of cameras is smooth.
+class Track {
+public:
+  template <class Key>
+  Track(const std::vector<Key>& keys, bool closes) : count(keys.size()), closed(closes) {
+    for (const Key& key : keys) {
+      frames_.push_back(key.frame);
+      if constexpr (requires { key.easing; }) easings_.push_back(key.easing);
+    }
+  }
+  double frame(std::size_t i) const { return frames_[i]; }
+  Easing easing(std::size_t i) const { return easings_.empty() ? Easing::smooth : easings_[i]; }
+
   std::size_t count;
-  const Timeline& timeline;
-  bool of_cameras;
   bool closed;  // the motion continues from the last key to the equal first key
 
-  double frame(std::size_t i) const {
-    return of_cameras ? timeline.cameras[i].frame : timeline.keys[i].frame;
-  }
-  Easing easing(std::size_t i) const { return of_cameras ? Easing::smooth : timeline.keys[i].easing; }
+private:
+  std::vector<int> frames_;
+  std::vector<Easing> easings_;
 };
 
 // The interval from a key to the next key.
@@ -129,13 +137,28 @@ bool comes_back(const Timeline& timeline) {
 
 }  // namespace
 
-const PoseKey* key_at(const Timeline& timeline, int frame) {
-  const auto found = std::ranges::lower_bound(timeline.keys, frame, {}, &PoseKey::frame);
-  return found != timeline.keys.end() && found->frame == frame ? &*found : nullptr;
+const Channel* channel_of(const Timeline& timeline, const std::string& name) {
+  const auto found = std::ranges::find(timeline.channels, name, &Channel::name);
+  return found == timeline.channels.end() ? nullptr : &*found;
+}
+
+double weight_at(const Timeline& timeline, const Channel& channel, double frame) {
+  const auto& keys = channel.keys;
+  const bool closed =
+      timeline.repeat == Repeat::loop && keys.size() >= 3 && keys.front().weight == keys.back().weight;
+  double weight = 0;
+  for (const auto& [key, factor] : moment_on({keys, closed}, frame).shares)
+    weight += factor * keys[key].weight;
+  return weight;
+}
+
+double weight_at(const Timeline& timeline, const std::string& name, double frame) {
+  const Channel* channel = channel_of(timeline, name);
+  return channel ? weight_at(timeline, *channel, frame) : 0;
 }
 
 Moment moment_at(const Timeline& timeline, double frame) {
-  return moment_on({timeline.keys.size(), timeline, false, is_closed(timeline)}, frame);
+  return moment_on({timeline.keys, is_closed(timeline)}, frame);
 }
 
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward) {
@@ -153,7 +176,7 @@ std::optional<double> played(const Timeline& timeline, double frame, double seco
 
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame) {
   if (timeline.cameras.empty()) return std::nullopt;
-  const Moment moment = moment_on({timeline.cameras.size(), timeline, true, comes_back(timeline)}, frame);
+  const Moment moment = moment_on({timeline.cameras, comes_back(timeline)}, frame);
   CameraPose pose = timeline.cameras[moment.from].camera;
   glm::dvec3 target(0);
   double distance = 0, yaw = 0, pitch = 0;

@@ -1,10 +1,13 @@
 // The timeline: keys, easing, and playback settings.
 #pragma once
 
+#include <algorithm>
+#include <compare>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/choice.h"
@@ -69,6 +72,36 @@ struct CameraKey {
   friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 
+/// A key of a named pose's weight.
+struct WeightKey {
+  int frame;
+  double weight = 0;
+  Easing easing = Easing::smooth;  ///< from this key to the next key
+
+  friend bool operator==(const WeightKey&, const WeightKey&) = default;
+};
+
+/// The keyed weight of a named pose. The weighted pose is added to the pose of the keys.
+struct Channel {
+  static constexpr double largest_weight = 5;  ///< the largest absolute weight of a key
+
+  std::string name;  ///< of the pose
+  SharedPose pose{};
+  std::vector<WeightKey> keys{};  ///< not empty; sorted by frame; one key per frame
+
+  friend bool operator==(const Channel&, const Channel&) = default;
+};
+
+/// Identifies the pose key and the camera key of a frame or, with a name, a key of this named pose's weight.
+struct KeyPlace {
+  KeyPlace(int frame, std::string channel = {}) : frame(frame), channel(std::move(channel)) {}
+
+  int frame;
+  std::string channel;
+
+  friend auto operator<=>(const KeyPlace&, const KeyPlace&) = default;
+};
+
 struct Playing {
   int first = 1, last = 60;  ///< the playback range; last > first
   double rate = 24;          ///< in frames per second
@@ -86,13 +119,38 @@ struct Timeline : Playing {
   std::vector<PoseKey> keys;       ///< sorted by frame; one key per frame
   std::vector<CameraKey> cameras;  ///< sorted by frame; one key per frame
   std::vector<PoseKey> unkeyed{};  ///< edited poses without a key, saved when the frame changed; oldest first
+  std::vector<Channel> channels{};  ///< one per keyed weight
 
-  bool empty() const { return keys.empty() && cameras.empty(); }
+  /// True if keys give a pose.
+  bool has_poses() const { return !keys.empty() || !channels.empty(); }
+  bool empty() const { return !has_poses() && cameras.empty(); }
   friend bool operator==(const Timeline&, const Timeline&) = default;
 };
 
+/// Calls act(keys, name) for the pose keys and the camera keys, with an empty name, and for each channel.
+template <class AnyTimeline, class Act>
+void for_each_track(AnyTimeline& timeline, const Act& act) {
+  act(timeline.keys, std::string());
+  act(timeline.cameras, std::string());
+  for (auto& channel : timeline.channels) act(channel.keys, channel.name);
+}
+
 /// Returns the key of the frame; null if the frame has no key.
-const PoseKey* key_at(const Timeline& timeline, int frame);
+template <class Key>
+const Key* key_at(const std::vector<Key>& keys, int frame) {
+  const auto found = std::ranges::lower_bound(keys, frame, {}, &Key::frame);
+  return found != keys.end() && found->frame == frame ? &*found : nullptr;
+}
+inline const PoseKey* key_at(const Timeline& timeline, int frame) {
+  return key_at(timeline.keys, frame);
+}
+
+/// Returns the channel of a named pose; null if its weight has no keys.
+const Channel* channel_of(const Timeline& timeline, const std::string& name);
+/// Returns the weight of a channel at any frame, interpolated like the poses of moment_at().
+double weight_at(const Timeline& timeline, const Channel& channel, double frame);
+/// Returns the weight of a named pose's channel; 0 without a channel.
+double weight_at(const Timeline& timeline, const std::string& name, double frame);
 
 /// A key and its factor in the interpolated pose.
 struct KeyShare {
@@ -105,8 +163,8 @@ struct Moment {
   std::size_t from = 0;          ///< the key at or before the frame; if there is none, the first key
 };
 
-/// Returns the interpolation at any frame, also between whole frames. Requires a key. Before the first key,
-/// uses the first key's pose. After the last key, uses the last key's pose.
+/// Returns the interpolation at any frame, also between whole frames. Requires a pose key. Before the first
+/// key, uses the first key's pose. After the last key, uses the last key's pose.
 ///
 /// `smooth` is a cubic Hermite spline. Its slope at a key is:
 /// - at the first and the last key: 0, unless the timeline loops and both keys have equal poses

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -121,13 +122,16 @@ std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
   const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // not lost by rounding to float
-  const auto& keys = what.timeline.keys;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const double frame = keys[i].frame;
-    if (frame <= what.first || frame > what.last) continue;
-    samples[frame] = true;
-    if (i > 0 && keys[i - 1].easing == document::Easing::hold) samples[frame - jump] = true;
-  }
+  for_each_track(what.timeline, [&](const auto& keys, const std::string&) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const double frame = keys[i].frame;
+      if constexpr (requires { keys[i].easing; }) {
+        if (frame <= what.first || frame > what.last) continue;
+        samples[frame] = true;
+        if (i > 0 && keys[i - 1].easing == document::Easing::hold) samples[frame - jump] = true;
+      }
+    }
+  });
   std::vector<Sample> all;
   for (const auto& [frame, is_key] : samples) all.push_back({frame, is_key});
   return all;
@@ -185,6 +189,39 @@ std::string frame_name(double frame) {
   return base::formatted("frame %.6g", frame);
 }
 
+// A shape as a morph target, and its weight at a frame.
+struct ShapeTarget {
+  std::string name;
+  const std::vector<mesh::Point>& positions;
+  std::function<double(double frame)> weight;
+};
+
+// The keyed shapes, if their weights have keys and the positions are linear in the weights: with linear
+// interpolation, without a cage and probes. Otherwise returns nothing.
+std::vector<ShapeTarget> shape_targets(const AnimationExport& what) {
+  const document::Timeline& timeline = what.timeline;
+  const auto is_pin = [](const pose::Probe& probe) { return probe.pin.has_value(); };
+  if (!timeline.linear || timeline.channels.empty() || what.model.cage->element_count() > 0 ||
+      !std::ranges::all_of(what.model.probes.all, is_pin))
+    return {};
+  std::vector<ShapeTarget> targets;
+  for (std::size_t i = 0; i < timeline.keys.size(); ++i) {
+    const auto share = [&timeline, i](double frame) {
+      const auto shares = moment_at(timeline, frame).shares;
+      const auto found = std::ranges::find(shares, i, &document::KeyShare::key);
+      return found == shares.end() ? 0 : found->factor;
+    };
+    const document::PoseKey& key = timeline.keys[i];
+    if (key.pose->shape) targets.push_back({frame_name(key.frame), *key.pose->shape, share});
+  }
+  for (const document::Channel& channel : timeline.channels)
+    if (channel.pose->shape)
+      targets.push_back({channel.name, *channel.pose->shape, [&timeline, &channel](double frame) {
+                           return weight_at(timeline, channel, frame);
+                         }});
+  return targets;
+}
+
 void check_floats(std::span<const mesh::Point> pose, double frame) {
   constexpr double most = std::numeric_limits<float>::max() / 4;
   for (std::size_t v = 0; v < pose.size(); ++v)
@@ -200,7 +237,9 @@ class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
       : what_(what),
-        tolerance_(std::max(what.tolerance, least_tolerance) * std::max(diagonal_of(what), 1e-300)) {
+        shapes_(shape_targets(what)),
+        share_(shapes_.empty() ? std::max(what.tolerance, least_tolerance) : least_tolerance),
+        tolerance_(share_ * std::max(diagonal_of(what), 1e-300)) {
     if (progress) progress->section(0, 0.05);
     model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
                    std::min(fast_frame_error, 0.1 * what.tolerance), sample_frames(what.frames()), pool,
@@ -208,6 +247,7 @@ public:
   }
 
   MorphPlan plan(base::Progress* progress) {
+    if (!shapes_.empty()) return plan_of_shapes();
     if (progress) progress->section(0.05, 0.7);
     const auto& rest = what_.model.model->positions;
     MorphPlan plan{{}, {}, std::vector<char>(rest.size(), 0)};
@@ -227,10 +267,7 @@ public:
       const double frame = samples[i].frame;
       auto pose = at(frame);
       check_floats(pose, frame);
-      for (std::size_t v = 0; v < pose.size(); ++v) {
-        plan.moves[v] |= !is_still(pose[v], rest[v]);
-        farthest_ = std::max(farthest_, mesh::largest_abs(pose[v] - rest[v]));
-      }
+      take_moves(plan, pose, tolerance_);
       if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
         take(samples[i - 1].frame, before);
         lines.lead_to(frame, pose);
@@ -250,13 +287,14 @@ public:
     motion.name = what_.model.file.stem().string();
     motion.normals = what_.normals;
     for (const double frame : plan.frames) motion.seconds.push_back((frame - what_.first) / what_.rate);
+    motion.moves = plan.moves;
+    if (!shapes_.empty()) return motion_of_shapes(plan, std::move(motion));
     const std::size_t count = plan.targets.size();
     motion.weights.assign(plan.frames.size() * count, 0);
     for (std::size_t i = 0; i < count; ++i) {
       motion.targets.push_back(frame_name(plan.frames[plan.targets[i]]));
       motion.weights[plan.targets[i] * count + i] = 1;
     }
-    motion.moves = plan.moves;
     motion.positions = [&](std::size_t target) {
       auto pose = at(plan.frames[plan.targets[target]]);
       for (std::size_t v = 0; v < pose.size(); ++v)
@@ -278,6 +316,35 @@ public:
   FrameNotes& notes() { return notes_; }
 
 private:
+  void take_moves(MorphPlan& plan, std::span<const mesh::Point> pose, double still) {
+    const auto& rest = what_.model.model->positions;
+    for (std::size_t v = 0; v < pose.size(); ++v) {
+      plan.moves[v] |= !(mesh::norm(pose[v] - rest[v]) <= still);
+      farthest_ = std::max(farthest_, mesh::largest_abs(pose[v] - rest[v]));
+    }
+  }
+
+  MorphPlan plan_of_shapes() {
+    MorphPlan plan{{}, {}, std::vector<char>(what_.model.model->positions.size(), 0)};
+    for (const Sample& sample : samples_of(what_)) plan.frames.push_back(sample.frame);
+    for (const ShapeTarget& shape : shapes_) {
+      check_floats(shape.positions, what_.first);
+      take_moves(plan, shape.positions, 0);
+      plan.targets.push_back(plan.targets.size());
+    }
+    check_size(plan);
+    return plan;
+  }
+
+  formats::MorphMotion motion_of_shapes(const MorphPlan& plan, formats::MorphMotion motion) const {
+    for (const ShapeTarget& shape : shapes_) motion.targets.push_back(shape.name);
+    for (const double frame : plan.frames)
+      for (const ShapeTarget& shape : shapes_)
+        motion.weights.push_back(static_cast<float>(shape.weight(frame)));
+    motion.positions = [this](std::size_t target) { return shapes_[target].positions; };
+    return motion;
+  }
+
   std::vector<mesh::Point> at(double frame) {
     auto positions = model_->positions(frame);
     notes_.add(model_->notes());
@@ -286,9 +353,9 @@ private:
 
   // The tolerance, and the rounding of the offsets if it is not negligible.
   std::string error_text() const {
-    const double tolerance = std::max(what_.tolerance, least_tolerance), rounding = 0x1p-23 * farthest_;
-    if (rounding < 0.05 * tolerance_) return base::formatted("%.6g", tolerance);
-    return at_most(tolerance + rounding * tolerance / tolerance_);
+    const double rounding = 0x1p-23 * farthest_;
+    if (rounding < 0.05 * tolerance_) return base::formatted("%.6g", share_);
+    return at_most(share_ + rounding * share_ / tolerance_);
   }
 
   // If the targets are too large, throws base::Error. The GLB format allows at most 4 GB.
@@ -304,8 +371,10 @@ private:
   }
 
   const AnimationExport& what_;
-  double tolerance_;     // in the model's unit
-  double farthest_ = 0;  // the largest change of a coordinate by a pose, in the model's unit
+  std::vector<ShapeTarget> shapes_;  // see shape_targets()
+  double share_;                     // the tolerance / diagonal of the model
+  double tolerance_;                 // in the model's unit
+  double farthest_ = 0;              // the largest change of a coordinate by a pose, in the model's unit
   std::optional<AnimatedModel> model_;
   FrameNotes notes_;
 };
@@ -397,7 +466,7 @@ void check_animation_export(const AnimationExport& what) {
     throw base::Error(file.string(), "a point cache stores all frames in one file",
                       "remove #### from the name");
   formats::check_deformable(file, what.model.original.get());
-  if (what.timeline.keys.empty())
+  if (!what.timeline.has_poses())
     throw base::Error("", "the timeline has no keys", "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
 }

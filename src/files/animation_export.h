@@ -18,7 +18,9 @@ namespace viete::files {
 ///
 /// .pc2, .mdd      a point cache of all frames, with the vertices in the model's order
 /// .glb, .gltf     one model with animated morph targets: a target for each key. Between two keys, further
-///                 targets are added until linear blending is within the tolerance.
+///                 targets are added until linear blending is within the tolerance. If the weights of
+///                 shapes have keys, the interpolation is linear and there is neither a cage nor a probe,
+///                 each keyed shape is a target with its weight at each frame.
 /// NAME_####.obj   (also .ply, .off, .stl, .glb, .gltf) one model per frame, see base::NumberedName. Each
 ///                 file is identical to the result of write_deformed().
 struct AnimationExport {

@@ -288,7 +288,7 @@ document::Document document_of_session(const Session& session, const fs::path& f
 }
 
 void set_pose_from_keys(document::Document& document) {
-  if (document.timeline().keys.empty()) return;
+  if (!document.timeline().has_poses()) return;
   document::VectorCache vectors;
   vectors.follow(document.cage());
   vectors.follow_model(document.model().surface);
@@ -304,7 +304,7 @@ void add_shape_vectors(Opened& opened, const document::Document& document, base:
   std::ranges::for_each(document.library().poses, add);
   if (!document.has_shapes()) return;
   add_shape_vectors(opened, document.model().surface, shapes, progress);
-  if (document.timeline().keys.empty()) return;
+  if (!document.timeline().has_poses()) return;
   opened.vectors.follow(document.cage());
   (void)document::Animation(document.timeline(), opened.vectors);
 }

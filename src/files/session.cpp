@@ -261,11 +261,26 @@ static void code(const JsonField& f, document::CameraKey& key) {
   code(f, key.camera);
 }
 
+// The weight is not in percent, so that reading gives exactly the same weight.
+static void code(const JsonField& f, document::WeightKey& key) {
+  f.needed("frame", key.frame, frames);
+  f.needed("weight", key.weight,
+           Limits{-document::Channel::largest_weight, document::Channel::largest_weight});
+  f.unless(document::Easing::smooth, "easing", key.easing);
+}
+
 template <class Keys>
 static void check_order(const JsonField& f, const char* key, const Keys& keys) {
   const auto not_later = [](const auto& a, const auto& b) { return a.frame >= b.frame; };
   if (std::ranges::adjacent_find(keys, not_later) != keys.end())
     f.in().at(key).fail("the keys must be sorted by frame, with one key per frame");
+}
+
+static void code(const JsonField& f, document::Channel& channel) {
+  f.needed("pose", channel.name);
+  f.needed("keys", channel.keys, document::Timeline::most_keys);
+  if (channel.keys.empty()) f.in().at("keys").fail("there must be a key");
+  check_order(f, "keys", channel.keys);
 }
 
 static void code(const JsonField& f, document::Timeline& t) {
@@ -277,6 +292,7 @@ static void code(const JsonField& f, document::Timeline& t) {
   f.unless({}, "keys", t.keys, document::Timeline::most_keys);
   f.unless({}, "unkeyed", t.unkeyed, document::Timeline::most_keys);
   f.unless({}, "cameras", t.cameras, document::Timeline::most_keys);
+  f.unless({}, "weights", t.channels, document::PoseLibrary::most_poses);
   if (t.first >= t.last) f.in().fail("the last frame must be after the first frame");
   check_order(f, "keys", t.keys);
   check_order(f, "cameras", t.cameras);
@@ -345,6 +361,20 @@ void code_path(const JsonField& f, const char* key, fs::path& file, const Place&
 // Checksums depend on the byte order. Only little-endian machines read and write checksums.
 constexpr bool has_checksums = std::endian::native == std::endian::little;
 
+// Each channel must have its own named pose.
+void check_channels(const JsonReader& time, const document::DocumentState& state) {
+  const auto& channels = state.timeline.channels;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const std::string& name = channels[i].name;
+    const auto fail = [&](const char* problem) {
+      time.at("weights").item(i).at("pose").fail(problem + formats::in_quotes(name));
+    };
+    if (name.empty() || std::ranges::count(state.library.poses, name, &document::NamedPose::name) == 0)
+      fail("there is no pose with the name ");
+    if (channel_of(state.timeline, name) != &channels[i]) fail("there are already keys for the pose ");
+  }
+}
+
 void code_session(const JsonField& f, Session& s, const Place& place) {
   if (f.reads()) (void)f.in().at("model");
   code_path(f, "model", s.model.path, place);
@@ -379,7 +409,11 @@ void code_session(const JsonField& f, Session& s, const Place& place) {
   const auto time = f.reads() || s.timeline != document::Timeline{} ? f.child("time") : std::nullopt;
   if (!time) return;
   code(*time, s.timeline);
-  if (f.reads()) s.frame = s.timeline.first;
+  if (f.reads()) {
+    s.frame = s.timeline.first;
+    check_channels(time->in(), s);
+    follow_library(s.library, s.timeline);
+  }
   time->member("frame", s.frame, frames);
 }
 

@@ -19,7 +19,7 @@ struct Session::Impl {
     files::check_deformable(opened);
     what = files::export_of(*opened.document, {});
     const document::Timeline& timeline = opened.document->timeline();
-    if (!timeline.keys.empty())
+    if (timeline.has_poses())
       animated.emplace(what, timeline, files::AnimatedModel::Precision::exact, 0, std::span<const double>{},
                        pool);
   }
@@ -54,7 +54,7 @@ Mesh Session::model() const {
 
 std::array<int, 2> Session::range() const {
   const document::Timeline& timeline = impl_->opened.document->timeline();
-  return timeline.keys.empty() ? std::array{1, 1} : std::array{timeline.first, timeline.last};
+  return timeline.has_poses() ? std::array{timeline.first, timeline.last} : std::array{1, 1};
 }
 
 const std::vector<std::string>& Session::notes() const {

@@ -86,6 +86,7 @@ void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer) 
   const bool keys = !take_escape(workspace) && !is_popup_open();
   pointer.frame(workspace, pointer_input(keys));
   if (keys) run_shortcuts(workspace, pointer);
+  workspace.panels.hovered_weight.reset();
 }
 
 }  // namespace viete::ui

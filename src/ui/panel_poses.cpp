@@ -4,6 +4,7 @@
 #include <string>
 
 #include "document/pose_edit.h"
+#include "document/time_edit.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
@@ -20,11 +21,11 @@ using workspace::pose_picture_size;
 
 constexpr const char* dragged_pose = "pose";
 constexpr const char* pose_menu = "Pose menu";
-constexpr float percent_width = 54, percent_sign = 14;
+constexpr float percent_width = 54, percent_sign = 14, key_width = 16;
 
 // The user's changes of the list, applied after all rows are drawn.
 struct PoseWish {
-  std::optional<std::size_t> chosen, applied;
+  std::optional<std::size_t> chosen, applied, keyed;
   std::optional<std::pair<std::size_t, std::string>> name;
   std::optional<std::pair<std::size_t, double>> weight;
   std::optional<std::pair<std::size_t, std::size_t>> moved;
@@ -66,11 +67,34 @@ void picture(const Context& ui, std::size_t row, const document::NamedPose& name
   draw_pose(ui, named, low, ui.workspace.view.chosen_pose == row, hovered);
 }
 
+// A filled diamond: the weight has a key at this frame. An outline: it has other keys. A dot: it has no keys.
+void key_of_weight(const Context& ui, std::size_t row, PoseWish& wish) {
+  const workspace::Workspace& w = ui.workspace;
+  const std::string id = "pose_key/" + std::to_string(row);
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size{key_width, ImGui::GetFrameHeight()};
+  if (ImGui::InvisibleButton(id.c_str(), size)) wish.keyed = row;
+  record(ui, id);
+  const bool hovered = ImGui::IsItemHovered();
+  const document::Channel* channel = channel_of(w.document.timeline(), w.document.library().poses[row].name);
+  const ImVec2 middle{low.x + 0.5f * size.x, low.y + 0.5f * size.y};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (channel && key_at(channel->keys, current_frame(w.document)))
+    list.AddNgonFilled(middle, 5.5f, ui.colors.accent, 4);
+  else if (channel || hovered)
+    list.AddNgon(middle, 5, hovered ? ui.colors.text : ui.colors.accent, 4, 1.25f);
+  else
+    list.AddCircleFilled(middle, 1.5f, ui.colors.faint);
+  hint(
+      "Set or delete a key of this weight at the current frame. I does the same with the pointer over the "
+      "slider.");
+}
+
 void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   const std::string id = "pose_weight/" + std::to_string(row);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
   const double percent = std::round(1000 * shown) / 10;
   auto slid = static_cast<float>(percent);
-  ImGui::SetNextItemWidth(-percent_width - percent_sign - ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(-percent_width - percent_sign - key_width - ImGui::GetStyle().ItemInnerSpacing.x);
   constexpr double least = 100 * document::PoseLibrary::least_weight,
                    most = 100 * document::PoseLibrary::largest_weight;
   const Slid done = slider(ui, id, percent, least, most, [&] {
@@ -85,6 +109,10 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
     wish.weight = std::pair(row, 0.01 * *typed);
   ImGui::SameLine(0, 3);
   ImGui::TextUnformatted("%");
+  ImGui::SameLine(0, 0);
+  key_of_weight(ui, row, wish);
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, ImGui::GetItemRectMax()))
+    ui.workspace.panels.hovered_weight = row;
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
@@ -116,6 +144,10 @@ void grant(workspace::Workspace& w, const PoseWish& wish) {
     workspace::change_mix(w, [&] {
       return document::set_weight(w.document, w.playback.vectors, pose, weight, workspace::shown_weights(w));
     });
+  }
+  if (wish.keyed) {
+    w.view.chosen_pose = wish.keyed;
+    workspace::find_command("key_weight")->run(w);
   }
   if (wish.name) document::rename_pose(w.document, wish.name->first, wish.name->second);
   if (wish.applied) workspace::apply_pose(w, *wish.applied);
@@ -149,7 +181,7 @@ void panel_poses(const Context& ui) {
       workspace::shown_weights(w);  // after the buttons, which can change the poses
   for (std::size_t i = 0; i < shown.size(); ++i) row(ui, i, shown[i], wish);
   ImGui::EndDisabled();
-  command_menu(ui, pose_menu, {"apply_pose", "update_pose", "remove_pose"});
+  command_menu(ui, pose_menu, {"apply_pose", "update_pose", "key_weight", "remove_pose"});
   if (free) grant(w, wish);
 }
 

@@ -213,11 +213,11 @@ void rate_field(const Context& ui) {
 
 void easing_choice(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  const std::vector<int> eased = workspace::eased_keys(w);
-  const document::PoseKey* key =
-      eased.empty() ? nullptr : document::key_at(w.document.timeline(), eased.front());
-  ImGui::BeginDisabled(!key);
-  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 132,
+  const workspace::KeyPlaces eased = workspace::eased_keys(w);
+  const auto easing =
+      eased.empty() ? std::nullopt : document::easing_at(w.document.timeline(), eased.front());
+  ImGui::BeginDisabled(!easing);
+  choice_list(ui, "time/easing", easing, 132,
               {"time/", "Easing",
                "Interpolation from the selected keys, or from the key before this frame, to the next key."});
   ImGui::EndDisabled();
@@ -260,13 +260,14 @@ void timeline_panel(const Context& ui) {
   const Window window("Timeline",
                       {.at = {v.origin.x, edge},
                        .pivot = {0, 0},
-                       .size = {v.size.x, workspace::PanelLayout::timeline_height},
+                       .size = {v.size.x, w.preferences.layout.timeline_height()},
                        .rounding = 0,
                        .padding = {10, 8}},
                       fixed_flags | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
                           ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 6});
-  w.view.time.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  w.view.time.hovered =
+      ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem | ImGuiHoveredFlags_ChildWindows);
   ImGui::GetWindowDrawList()->AddLine({v.origin.x, edge}, {v.origin.x + v.size.x, edge}, ui.colors.line);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImGui::BeginDisabled(!w.document.model().surface);

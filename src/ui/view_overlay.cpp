@@ -89,7 +89,7 @@ void hints(const Context& ui) {
   const std::string space = workspace::text(w.preferences.keymap.of(*workspace::find_command("play")).first);
   const std::string help = key_or_label(w.preferences.keymap, "help");
   const std::string plays =
-      w.document.timeline().keys.empty() || space.empty() ? "" : "     " + space + " plays it";
+      !w.document.timeline().has_poses() || space.empty() ? "" : "     " + space + " plays it";
   for (const char* method : {"     Switch the method in the right column", ""}) {
     const std::string text =
         "Drag a vertex of the cage" + plays + method + "     " + help + " shows every key";

@@ -79,7 +79,7 @@ constexpr Condition can_import_shapes{
     [](const Workspace& w) { return w.document.has_faces() && can_import_animation(w); },
     "Open a model with faces first. Leave cage editing."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
-                                           return is_movable(w) && !w.document.timeline().keys.empty() &&
+                                           return is_movable(w) && w.document.timeline().has_poses() &&
                                                   !is_editing_cage(w.document);
                                          },
                                          "No keys yet: pose the model and set a key (I)."};

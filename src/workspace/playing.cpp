@@ -22,12 +22,14 @@ bool is_current(const Workspace& w) {
 }
 
 // The pose of the keys at the document's frame, cached because blending shapes is slow.
-const document::WholePose& keyed_pose(const Workspace& w) {
+const TimedPose& timed_pose(const Workspace& w) {
   TimedPose& known = w.playback.by_time;
-  if (known.animation != w.playback.animation || known.frame != w.document.frame())
-    known = {w.playback.animation, w.document.frame(),
-             std::make_shared<const document::WholePose>(w.playback.animation->at(w.document.frame()))};
-  return *known.pose;
+  const auto& animation = w.playback.animation;
+  const double frame = w.document.frame();
+  if (known.animation == animation && known.frame == frame) return known;
+  known = {animation, frame, animation->base(frame)};
+  known.pose = std::make_shared<const document::WholePose>(animation->with_channels(known.base, frame));
+  return known;
 }
 
 // True if the keys have given the shown pose, and no edit has changed the pose later.
@@ -37,16 +39,19 @@ bool is_shown(const Workspace& w) {
 }
 
 bool has_keyed_pose(const Workspace& w) {
-  return shows(w.document, keyed_pose(w));
+  return shows(w.document, *timed_pose(w).pose);
+}
+
+// The base of PoseSource::Kind::frame. Null without keyed weights.
+document::SharedPose base_of_frame(const Workspace& w) {
+  return w.document.timeline().channels.empty() ? nullptr : timed_pose(w).base;
 }
 
 // Goes to a frame without storing an unkeyed pose.
 void show_frame(Workspace& w, double frame) {
   w.document.put_frame(frame);
   if (const auto camera = camera_at(w.document.timeline(), frame)) w.view.camera.set_pose(*camera);
-  const auto animation = animation_of(w);
-  if (!animation) return;
-  show_pose(w.document, keyed_pose(w), document::PoseSource::Kind::frame);
+  show_keys(w);
 }
 
 void see(Workspace& w) {
@@ -75,12 +80,47 @@ bool has_unseen_edits(const Workspace& w) {
 }
 
 // The keys give the shown pose. A mix is still known as a mix.
-void take_as_keyed(document::Document& document) {
+void take_as_keyed(Workspace& w) {
+  document::Document& document = w.document;
   document::PoseSource& source = document.changed_source();
   using Kind = document::PoseSource::Kind;
-  if (source_of(document) != Kind::mix && !source.kept) source.kind = Kind::frame;
+  if (source_of(document) != Kind::mix && !source.kept) {
+    source.kind = Kind::frame;
+    source.base = base_of_frame(w);
+  }
   source.pose = shared_pose(document);
   source.keyed = true;
+}
+
+// True if the shown pose is the mix of the keyed weights.
+bool is_keyed_mix(const Workspace& w) {
+  const document::PoseSource& source = w.document.source();
+  if (source_of(w.document) != document::PoseSource::Kind::mix || !source.on_keys) return false;
+  const auto same = [](const document::NamedPose& named, double weight) {
+    return std::abs(named.weight - weight) < 1e-9;
+  };
+  return std::ranges::equal(w.document.library().poses, keyed_weights(w), same);
+}
+
+// Sets a key after an edit: of the weight if a slider was moved, otherwise of the pose. Returns true if the
+// key contains the edit.
+bool set_auto_key(Workspace& w) {
+  document::Document& document = w.document;
+  const int frame = current_frame(document);
+  try {
+    const auto step = document.history().last_step();
+    if (step && step->kind == document::EditKind::mix) {
+      add_weight_key_to_edit(document, step->of, frame, weight_upon_keys(w, step->of));
+    } else {
+      add_key_to_edit(document, frame, shown_weights(w), &w.playback.vectors);
+    }
+    see(w);
+    animation_of(w);
+    return !step || step->kind != document::EditKind::mix || is_keyed_mix(w);
+  } catch (const base::Error& error) {
+    w.messages.error(error.what(), {"key"});
+    return false;
+  }
 }
 
 // Handles edits since the last call: sets an automatic key, or shows the frame of an edited timeline.
@@ -93,18 +133,13 @@ void follow_edits(Workspace& w) {
     w.document.changed_source().keyed = false;
     return;
   }
-  if (p.auto_key && !retimed && !is_shown(w) && !has_keyed_pose(w)) {
-    try {
-      add_key_to_edit(w.document, current_frame(w.document));
-      see(w);
-    } catch (const base::Error& error) {
-      w.messages.error(error.what(), {"key"});
-    }
-    animation_of(w);
-  }
+  const bool edited = !retimed && !is_shown(w) && !has_keyed_pose(w);
+  const bool keyed = p.auto_key && edited && set_auto_key(w);
   if (has_keyed_pose(w)) {
-    take_as_keyed(w.document);
-  } else if (retimed && is_shown(w)) {
+    take_as_keyed(w);
+  } else if (keyed) {
+    show_keys(w);
+  } else if (retimed && (is_shown(w) || is_keyed_mix(w))) {
     show_frame(w, w.document.frame());
   } else {
     p.playing = false;
@@ -131,25 +166,36 @@ void add_weights(const document::PoseKey& key, double factor, const std::vector<
     add(std::ranges::find_if(poses, [&](const auto& p) { return same_pose(*key.pose, *p.pose); }), 1);
 }
 
+// The weight of each named pose in the keys of the document's frame.
+std::vector<double> key_mix(const Workspace& w) {
+  const auto& poses = w.document.library().poses;
+  const document::Timeline& timeline = w.document.timeline();
+  std::vector<double> weights(poses.size());
+  if (timeline.keys.empty()) return weights;
+  for (const document::KeyShare& share : moment_at(timeline, w.document.frame()).shares)
+    add_weights(timeline.keys[share.key], share.factor, poses, weights);
+  return weights;
+}
+
 }  // namespace
 
 std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
   Playback& p = w.playback;
   const document::Document& document = w.document;
   if (is_editing_cage(document)) return nullptr;
-  if (is_current(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
+  if (is_current(w) && (p.animation || !p.timeline.has_poses())) return p.animation;
   p.vectors.follow(document.cage());
   p.vectors.follow_model(document.model().surface);
   p.cage = document.cage();
   p.model = document.model().surface;
   p.timeline = document.timeline();
   p.animation =
-      p.timeline.keys.empty() ? nullptr : std::make_shared<const document::Animation>(p.timeline, p.vectors);
+      p.timeline.has_poses() ? std::make_shared<const document::Animation>(p.timeline, p.vectors) : nullptr;
   return p.animation;
 }
 
 bool has_unkeyed_pose(const Workspace& w) {
-  if (w.document.timeline().keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
+  if (!w.document.timeline().has_poses() || is_editing_cage(w.document) || is_shown(w)) return false;
   const bool known = w.playback.animation && is_current(w);
   return !known || !has_keyed_pose(w);
 }
@@ -159,15 +205,32 @@ void go_to_frame(Workspace& w, double frame) {
   leave_for(w, std::clamp<double>(frame, document::Timeline::least_frame, document::Timeline::largest_frame));
 }
 
+std::vector<double> keyed_weights(const Workspace& w) {
+  std::vector<double> weights = key_mix(w);
+  const auto& poses = w.document.library().poses;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    weights[i] += weight_at(w.document.timeline(), poses[i].name, w.document.frame());
+  return weights;
+}
+
 std::vector<double> shown_weights(const Workspace& w) {
   const auto& poses = w.document.library().poses;
   const document::Timeline& timeline = w.document.timeline();
   std::vector<double> weights(poses.size());
   std::ranges::transform(poses, weights.begin(), &document::NamedPose::weight);
-  if (w.document.library().mixes() || timeline.keys.empty() || has_unkeyed_pose(w)) return weights;
-  for (const document::KeyShare& share : moment_at(timeline, w.document.frame()).shares)
-    add_weights(timeline.keys[share.key], share.factor, poses, weights);
-  return weights;
+  if (w.document.library().mixes() || !timeline.has_poses()) return weights;
+  const bool edits_frame =
+      !timeline.channels.empty() && w.document.source().kind == document::PoseSource::Kind::frame;
+  return edits_frame || !has_unkeyed_pose(w) ? keyed_weights(w) : weights;
+}
+
+double weight_upon_keys(const Workspace& w, std::size_t pose) {
+  return shown_weights(w)[pose] - key_mix(w)[pose];
+}
+
+void show_keys(Workspace& w) {
+  if (animation_of(w))
+    show_pose(w.document, *timed_pose(w).pose, document::PoseSource::Kind::frame, base_of_frame(w));
 }
 
 void replace_pose(Workspace& w, const std::function<void()>& edit) {
@@ -208,7 +271,7 @@ void add_unkeyed_to_undo(Workspace& w, bool show) {
   document::Document& document = w.document;
   const std::size_t count = document.timeline().unkeyed.size();
   const bool shows_keys = animation_of(w) && has_keyed_pose(w);
-  if (shows_keys) take_as_keyed(document);  // files do not contain the source of the pose
+  if (shows_keys) take_as_keyed(w);  // files do not contain the source of the pose
   if (count == 0) return;
   document::Document then = document.without_history();
   end_mix(then);
@@ -268,7 +331,7 @@ document::SharedPose pose_by_other_blending(Workspace& w) {
 }
 
 bool has_blended_pose(const Workspace& w) {
-  return !w.document.timeline().keys.empty() || w.document.library().mixes();
+  return w.document.timeline().has_poses() || w.document.library().mixes();
 }
 
 void follow_pins(Workspace& w) {

@@ -21,8 +21,15 @@ void go_to_frame(Workspace& workspace, double frame);
 /// Goes to the next or previous frame with a key. From the last key, goes to the first key, and vice versa.
 void go_to_key(Workspace& workspace, bool forward);
 
-/// The weight of each named pose in the current pose, from the sliders or from the keys at this frame.
+/// The weight of each named pose in the pose of the keys at this frame.
+std::vector<double> keyed_weights(const Workspace& workspace);
+/// The weight of each named pose in the current pose, from the sliders or from the keys at this frame. If
+/// there are keyed weights, an edit of the keyed pose does not change them, unless it resets the pose.
 std::vector<double> shown_weights(const Workspace& workspace);
+/// The shown weight without the share that the pose keys at this frame contain: the weight for a channel.
+double weight_upon_keys(const Workspace& workspace, std::size_t pose);
+/// Shows the pose of the keys at the current frame, if there are keys. Discards an unkeyed pose.
+void show_keys(Workspace& workspace);
 
 /// Runs an edit that replaces the pose. If no key and no named pose has the previous pose, stores the
 /// previous pose in Timeline::unkeyed.

@@ -45,7 +45,7 @@ document::Viewport view_between(const PanelLayout& layout, const glm::vec2& wind
                                 float notice) {
   if (!panels) return {window, {0, notice}, glm::max(glm::vec2(1), window - glm::vec2(0, notice))};
   const ColumnWidths columns = shown_columns(layout, window.x);
-  const float below = PanelLayout::status_height + (layout.timeline ? PanelLayout::timeline_height : 0);
+  const float below = PanelLayout::status_height + layout.timeline_height();
   const float above = PanelLayout::menu_height + notice;
   const glm::vec2 covered(columns.tools + columns.methods, above + below);
   return {window, {columns.tools, above}, glm::max(glm::vec2(1), window - covered)};

@@ -21,14 +21,16 @@ enum class Column { tools, methods };
 struct PanelLayout {
   static constexpr float least_width = 288, usual_width = 320, largest_width = 560;
   static constexpr float least_view = 320;  ///< minimum view width between the columns
-  static constexpr float menu_height = 26, status_height = 26, timeline_height = 156;
+  static constexpr float menu_height = 26, status_height = 26, least_timeline = 156;
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
   Column last = Column::methods;         ///< the shown column if the window has room for only one
   bool timeline = false;                 ///< shown below the view, between the columns
+  float more_timeline = 0;               ///< height of further rows of the timeline; not saved
   std::map<std::string, bool> sections;  ///< by title; true: open
 
+  float timeline_height() const { return timeline ? least_timeline + more_timeline : 0; }
   bool is_folded(Column column) const { return folded[static_cast<std::size_t>(column)]; }
 
   friend bool operator==(const PanelLayout&, const PanelLayout&) = default;

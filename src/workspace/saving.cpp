@@ -39,7 +39,7 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
 
 // True if the pose comes from the keys at this frame. Such a pose need not be saved.
 bool is_timeline_pose(const Workspace& w) {
-  return !w.document.timeline().keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
+  return w.document.timeline().has_poses() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
 // True if the probes equal the saved probes. If `by_time`, ignores poses of unlocked probes: keys set them.

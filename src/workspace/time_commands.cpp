@@ -1,5 +1,6 @@
 // Commands for named poses and the timeline.
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "document/pose_edit.h"
@@ -34,7 +35,7 @@ constexpr Condition shows_time{[](const Workspace& w) {
 constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
                                "Show the timeline and set a key first (I)."};
 constexpr Condition has_pose_keys{
-    [](const Workspace& w) { return has_time(w) && !w.document.timeline().keys.empty(); },
+    [](const Workspace& w) { return has_time(w) && w.document.timeline().has_poses(); },
     "No keys yet: pose the model and set a key (I)."};
 constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !is_dragging(w); },
                                    "Open a model first."};
@@ -86,18 +87,38 @@ void set_keys(Workspace& w, const auto& set, const std::string& done) {
 }
 
 template <class Key>
-std::string key_message(const std::vector<Key>& keys, const char* what, int frame) {
+std::string key_message(const std::vector<Key>& keys, const std::string& what, int frame) {
   const bool replaces = std::ranges::find(keys, frame, &Key::frame) != keys.end();
   const std::string at = std::to_string(frame);
-  return replaces ? std::string(what) + " at frame " + at + " replaced; undo restores the old one."
-                  : std::string(what) + " set at frame " + at + '.';
+  return replaces ? what + " at frame " + at + " replaced; undo restores the old one."
+                  : what + " set at frame " + at + '.';
+}
+
+// Sets a key of the weight of a named pose. If the key has this weight already, deletes the key.
+void key_weight(Workspace& w, std::size_t pose) {
+  stop_playing(w);
+  const int frame = current_frame(w.document);
+  const std::string name = w.document.library().poses[pose].name;
+  const document::KeyPlace place(frame, name);
+  const double weight = weight_upon_keys(w, pose);
+  const document::Channel* channel = channel_of(w.document.timeline(), name);
+  const document::WeightKey* key = channel ? key_at(channel->keys, frame) : nullptr;
+  if (key && std::abs(key->weight - weight) < 1e-9) return remove_keys(w.document, std::vector{place});
+  const auto set = [&] {
+    set_weight_key(w.document, pose, frame, weight);
+    w.view.time.selected = {place};
+  };
+  const std::vector<document::WeightKey> none;
+  set_keys(w, set, key_message(channel ? channel->keys : none, "Key of " + name, frame));
 }
 
 void key_pose(Workspace& w) {
+  const auto hovered = w.panels.hovered_weight;
+  if (hovered && *hovered < w.document.library().poses.size()) return key_weight(w, *hovered);
   const int frame = current_frame(w.document);
-  const std::vector<double> weights = shown_weights(w);
   const auto set = [&] {
-    set_key(w.document, frame, weights);
+    set_key(w.document, frame, shown_weights(w), &w.playback.vectors);
+    if (!w.document.timeline().channels.empty()) show_keys(w);
     w.view.time.selected = {frame};
   };
   set_keys(w, set, key_message(w.document.timeline().keys, "Key", frame));
@@ -157,9 +178,7 @@ void fit_range(Workspace& w) {
   w.view.time.seen = fitting(w.document.timeline());
 }
 
-}  // namespace
-
-void add_time_commands(CommandTable& table) {
+void add_pose_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("keep_pose", "Add pose",
             "Add the current pose, without the weighted poses, to the list with the weight 100 %.", can_pose,
@@ -174,12 +193,25 @@ void add_time_commands(CommandTable& table) {
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",
             has_mix,
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
+  table.add("key_weight", "Key weight",
+            "Set a key of the chosen pose's weight at this frame, or delete it. The pose is then animated on "
+            "its own row.",
+            has_chosen_pose, [](Workspace& w) { key_weight(w, *w.view.chosen_pose); });
+}
+
+}  // namespace
+
+void add_time_commands(CommandTable& table) {
+  add_pose_commands(table);
   table.heading("Time");
   table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
             {[](Workspace& w) { w.playback.playing ? stop_playing(w) : start_playing(w); },
              [](const Workspace& w) { return w.playback.playing; }});
-  table.add("set_key", "Set key", "Set a key for the current pose at this frame.", {key('I')}, can_pose,
-            key_pose);
+  table.add(
+      "set_key", "Set key",
+      "Set a key for the current pose at this frame. Over the slider of a pose, set or delete a key of its "
+      "weight.",
+      {key('I')}, can_pose, key_pose);
   table.add("set_camera_key", {"Set camera key", "Camera key"},
             "Set a key for the current camera at this frame.", {key('I'), false, true}, can_key_camera,
             key_camera);
@@ -208,10 +240,13 @@ void add_time_commands(CommandTable& table) {
                                 [](Workspace& w, document::Repeat repeat) {
                                   change_play(w, [&](document::Playing& play) { play.repeat = repeat; });
                                 });
-  table.add("toggle_auto_key", "Auto key",
-            "Set a key at this frame after each edit. Works only if there is a key already.", always,
-            {[](Workspace& w) { w.playback.auto_key ^= true; },
-             [](const Workspace& w) { return w.playback.auto_key; }});
+  table.add(
+      "toggle_auto_key", "Auto key",
+      "Set a key at this frame after each edit, for a slider a key of its weight. Works only if there is a "
+      "key already.",
+      always,
+      {[](Workspace& w) { w.playback.auto_key ^= true; },
+       [](const Workspace& w) { return w.playback.auto_key; }});
   table.add("toggle_linear", {"Linear interpolation", "Linear"},
             "Interpolate vertex positions linearly between keys and in weighted poses. When off, rotations "
             "and stretches are interpolated in log space.",

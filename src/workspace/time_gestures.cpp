@@ -11,60 +11,68 @@ namespace viete::workspace {
 
 namespace {
 
-bool has_frame(const std::vector<int>& frames, int frame) {
-  return std::ranges::binary_search(frames, frame);
+bool has_key(const KeyPlaces& keys, const document::KeyPlace& key) {
+  return std::ranges::binary_search(keys, key);
 }
 
-void toggle_frame(std::vector<int>& frames, int frame) {
-  const auto place = std::ranges::lower_bound(frames, frame);
-  if (place != frames.end() && *place == frame) {
-    frames.erase(place);
+void toggle_key(KeyPlaces& keys, const document::KeyPlace& key) {
+  const auto place = std::ranges::lower_bound(keys, key);
+  if (place != keys.end() && *place == key) {
+    keys.erase(place);
   } else {
-    frames.insert(place, frame);
+    keys.insert(place, key);
   }
 }
 
 void drag_keys(Workspace& w, TimeView::Drag& drag, double frame) {
   const int shift = std::clamp(static_cast<int>(std::lround(frame - drag.pressed)),
-                               document::Timeline::least_frame - drag.frames.front(),
-                               document::Timeline::largest_frame - drag.frames.back());
+                               document::Timeline::least_frame - drag.keys.front().frame,
+                               document::Timeline::largest_frame - drag.keys.back().frame);
   if (shift == 0 && !drag.moved) return;
   std::vector<int> to;
-  for (const int from : drag.frames) to.push_back(from + shift);
-  move_keys(w.document, drag.before, drag.frames, to);
+  w.view.time.selected = drag.keys;
+  for (document::KeyPlace& key : w.view.time.selected) to.push_back(key.frame += shift);
+  move_keys(w.document, drag.before, drag.keys, to);
   drag.moved = true;
-  w.view.time.selected = std::move(to);
 }
 
-void drag_box(Workspace& w, const TimeView::Drag& drag, double frame) {
+void drag_box(Workspace& w, const TimeView::Drag& drag, double frame, std::span<const std::string> rows) {
   const auto [low, high] = std::minmax(drag.pressed, frame);
-  std::vector<int> selected = drag.selected;
-  for (const int key : key_frames(w.document.timeline()))
-    if (key >= low && key <= high && !has_frame(selected, key)) toggle_frame(selected, key);
+  KeyPlaces selected = drag.selected;
+  for (const document::KeyPlace& key : key_places(w.document.timeline())) {
+    const bool inside = key.frame >= low && key.frame <= high &&
+                        (rows.empty() || std::ranges::find(rows, key.channel) != rows.end());
+    if (inside && !has_key(selected, key)) toggle_key(selected, key);
+  }
   w.view.time.selected = std::move(selected);
 }
 
 }  // namespace
 
-std::vector<int> selected_keys(const Workspace& w) {
-  std::vector<int> selected;
-  std::ranges::set_intersection(w.view.time.selected, key_frames(w.document.timeline()),
+KeyPlaces selected_keys(const Workspace& w) {
+  KeyPlaces selected;
+  std::ranges::set_intersection(w.view.time.selected, key_places(w.document.timeline()),
                                 std::back_inserter(selected));
   return selected;
 }
 
-std::vector<int> eased_keys(const Workspace& w) {
-  std::vector<int> eased;
-  const auto& keys = w.document.timeline().keys;
-  for (const int frame : selected_keys(w))
-    if (key_at(w.document.timeline(), frame) && frame != keys.back().frame) eased.push_back(frame);
+KeyPlaces eased_keys(const Workspace& w) {
+  KeyPlaces eased;
+  const KeyPlaces selected = selected_keys(w);
+  const document::Timeline& timeline = w.document.timeline();
+  for_each_track(timeline, [&](const auto& keys, const std::string& name) {
+    for (const auto& key : keys)
+      if constexpr (requires { key.easing; })
+        if (&key != &keys.back() && has_key(selected, {key.frame, name})) eased.emplace_back(key.frame, name);
+  });
+  std::ranges::sort(eased);
   if (!eased.empty()) return eased;
-  for (const document::PoseKey& key : keys)
+  for (const document::PoseKey& key : timeline.keys)
     if (key.frame <= w.document.frame()) eased = {key.frame};
   return eased;
 }
 
-void press_keys(Workspace& w, double frame, std::optional<int> key, bool add) {
+void press_keys(Workspace& w, double frame, const std::optional<document::KeyPlace>& key, bool add) {
   TimeView& view = w.view.time;
   view.selected = selected_keys(w);
   if (!key) {
@@ -72,13 +80,11 @@ void press_keys(Workspace& w, double frame, std::optional<int> key, bool add) {
     view.drag = TimeView::Drag{.what = TimeView::What::box, .pressed = frame, .selected = view.selected};
     return;
   }
-  if (add) return toggle_frame(view.selected, *key);
-  if (!has_frame(view.selected, *key)) view.selected = {*key};
+  if (add) return toggle_key(view.selected, *key);
+  if (!has_key(view.selected, *key)) view.selected = {*key};
   if (is_dragging(w)) return;
-  view.drag = TimeView::Drag{.what = TimeView::What::keys,
-                             .pressed = frame,
-                             .before = w.document.timeline(),
-                             .frames = view.selected};
+  view.drag = TimeView::Drag{
+      .what = TimeView::What::keys, .pressed = frame, .before = w.document.timeline(), .keys = view.selected};
 }
 
 void press_ruler(Workspace& w, double frame) {
@@ -91,7 +97,7 @@ void press_pan(Workspace& w, double frame) {
   w.view.time.drag = TimeView::Drag{.what = TimeView::What::pan, .pressed = frame, .seen = w.view.time.seen};
 }
 
-void drag_time(Workspace& w, double frame) {
+void drag_time(Workspace& w, double frame, std::span<const std::string> rows) {
   auto& drag = w.view.time.drag;
   if (!drag) return;
   switch (drag->what) {
@@ -101,7 +107,7 @@ void drag_time(Workspace& w, double frame) {
       return;
     }
     case TimeView::What::keys: return drag_keys(w, *drag, frame);
-    case TimeView::What::box: return drag_box(w, *drag, frame);
+    case TimeView::What::box: return drag_box(w, *drag, frame, rows);
     case TimeView::What::pan: {
       const double shift = drag->pressed - frame;
       w.view.time.seen = {drag->seen.first + shift, drag->seen.last + shift};
@@ -119,7 +125,7 @@ void cancel_time(Workspace& w) {
   if (!drag) return;
   if (drag->what == TimeView::What::keys && drag->moved) {
     w.document.changed_timeline() = w.document.changed_history().drop_last().timeline;
-    w.view.time.selected = drag->frames;
+    w.view.time.selected = drag->keys;
   }
   if (drag->what == TimeView::What::pan) w.view.time.seen = drag->seen;
   if (drag->what == TimeView::What::box) w.view.time.selected = drag->selected;

@@ -31,11 +31,19 @@ int ruler_step(const FrameWindow& seen, double lines) {
   return 10'000'000;
 }
 
+KeyPlaces key_places(const document::Timeline& timeline) {
+  KeyPlaces places;
+  for_each_track(timeline, [&](const auto& keys, const std::string& name) {
+    for (const auto& key : keys) places.emplace_back(key.frame, name);
+  });
+  std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
+  return places;
+}
+
 std::vector<int> key_frames(const document::Timeline& timeline) {
   std::vector<int> frames;
-  for (const document::PoseKey& key : timeline.keys) frames.push_back(key.frame);
-  for (const document::CameraKey& key : timeline.cameras) frames.push_back(key.frame);
-  std::ranges::sort(frames);
+  for (const document::KeyPlace& place : key_places(timeline)) frames.push_back(place.frame);
   frames.erase(std::ranges::unique(frames).begin(), frames.end());
   return frames;
 }

@@ -20,19 +20,21 @@ struct FrameWindow {
   friend bool operator==(const FrameWindow&, const FrameWindow&) = default;
 };
 
+using KeyPlaces = std::vector<document::KeyPlace>;
+
 struct TimeView {
   enum class What { scrub, keys, box, pan };
   struct Drag {
     What what;
     double pressed;               ///< the frame at the press
     document::Timeline before{};  ///< for What::keys: the timeline at the press
-    std::vector<int> frames{};    ///< for What::keys: the dragged frames
+    KeyPlaces keys{};             ///< for What::keys: the dragged keys
     bool moved = false;
-    FrameWindow seen{};           ///< for What::pan: the visible frames at the press
-    std::vector<int> selected{};  ///< for What::box: the selection at the press
+    FrameWindow seen{};    ///< for What::pan: the visible frames at the press
+    KeyPlaces selected{};  ///< for What::box: the selection at the press
   };
   FrameWindow seen;
-  std::vector<int> selected;  ///< frames of pose and camera keys, ascending
+  KeyPlaces selected;  ///< ascending
   std::optional<Drag> drag;
   bool hovered = false;  ///< the pointer is over the timeline
   bool fitted = false;   ///< `seen` fits the document's timeline
@@ -45,6 +47,8 @@ FrameWindow zoomed(const FrameWindow& seen, double share, double factor);
 /// The number of frames between ruler lines, for about `lines` lines: 1, 2, 5, 10, 20 ...
 int ruler_step(const FrameWindow& seen, double lines);
 
-/// Frames with a pose key or a camera key, ascending.
+/// All keys, ascending. A pose key and a camera key of one frame have one place.
+KeyPlaces key_places(const document::Timeline& timeline);
+/// The frames of all keys, ascending.
 std::vector<int> key_frames(const document::Timeline& timeline);
 }  // namespace viete::workspace

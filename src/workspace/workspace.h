@@ -45,6 +45,7 @@ namespace viete::workspace {
 struct TimedPose {
   std::shared_ptr<const document::Animation> animation{};
   double frame = 0;
+  document::SharedPose base{};  ///< the pose without the keyed weights
   document::SharedPose pose{};
 };
 
@@ -247,9 +248,10 @@ struct Panels {
   TypedSlider typed_slider;
   OpenList open_list;
   std::optional<BeforeWidgetEdit> before_edit;
-  float notice_height = 0;     ///< last height of the recovery notice in logical pixels
-  bool offer_cage = true;      ///< false: the user has dismissed the suggestion to get a cage
-  bool show_messages = false;  ///< show the message list
+  std::optional<std::size_t> hovered_weight;  ///< index of the pose whose slider is under the pointer
+  float notice_height = 0;                    ///< last height of the recovery notice in logical pixels
+  bool offer_cage = true;                     ///< false: the user has dismissed the suggestion to get a cage
+  bool show_messages = false;                 ///< show the message list
   bool show_preferences = false;
   bool ask_keys = false;  ///< show the choice of a keymap
   bool has_user = true;   ///< false while a command renders a picture without messages

@@ -23,6 +23,7 @@ struct Timed {
 };
 
 using Frames = std::vector<int>;
+using Places = std::vector<KeyPlace>;
 
 }  // namespace
 
@@ -32,7 +33,7 @@ TEST_CASE("keys_are_by_frame_each_there_once_and_the_range_grows_with_them") {
   CHECK(t.frames() == Frames{-5, 10, 90});
   CHECK(t.timeline().first == -5);
   CHECK(t.timeline().last == 90);
-  set_easing(t.document, Frames{10}, Easing::hold);
+  set_easing(t.document, Places{10}, Easing::hold);
   t.document.changed_pose() = test::turned_cube(90);
   set_key(t.document, 10);
   CHECK(key_at(t.timeline(), 10)->pose->cage.positions == test::turned_cube(90).positions);
@@ -51,7 +52,7 @@ TEST_CASE("frames_out_of_range_and_too_many_keys_are_refused_and_change_nothing"
   CHECK_THROWS_AS(set_key(t.document, 20000), base::Error);
   set_key(t.document, 5);  // replaces a key
   CHECK(t.edits() == 1);
-  CHECK_THROWS_AS(move_keys(t.document, t.timeline(), Frames{1}, Frames{Timeline::largest_frame + 1}),
+  CHECK_THROWS_AS(move_keys(t.document, t.timeline(), Places{1}, Frames{Timeline::largest_frame + 1}),
                   base::Error);
   CHECK(t.timeline().keys.size() == Timeline::most_keys);
 }
@@ -60,16 +61,16 @@ TEST_CASE("moved_keys_take_the_place_of_others_and_one_drag_is_one_edit") {
   Timed t;
   t.timeline() = test::three_keys();
   const Timeline start = t.timeline();
-  for (int step = 1; step <= 20; ++step) move_keys(t.document, start, Frames{1}, Frames{1 + step});
+  for (int step = 1; step <= 20; ++step) move_keys(t.document, start, Places{1}, Frames{1 + step});
   CHECK(t.frames() == Frames{11, 21, 31});  // the drag crossed frame 11, but its key stays
   CHECK(t.edits() == 1);
   CHECK(t.timeline().keys[1].pose == start.keys[0].pose);
-  move_keys(t.document, start, Frames{1}, Frames{11});
+  move_keys(t.document, start, Places{1}, Frames{11});
   CHECK(t.frames() == Frames{11, 31});
   CHECK(t.timeline().keys[0].pose == start.keys[0].pose);
   // Another drag of the key is another edit.
   const Timeline then = t.timeline();
-  move_keys(t.document, then, Frames{11}, Frames{12});
+  move_keys(t.document, then, Places{11}, Frames{12});
   CHECK(t.edits() == 2);
   undo(t.document);
   CHECK(t.timeline() == then);
@@ -82,11 +83,11 @@ TEST_CASE("keys_and_camera_keys_of_a_frame_move_together_and_may_change_places")
   t.timeline() = test::three_keys();
   t.timeline().cameras = {{1, {}}, {11, {.distance = 9}}};
   const Timeline start = t.timeline();
-  move_keys(t.document, start, Frames{1, 11}, Frames{11, 1});
+  move_keys(t.document, start, Places{1, 11}, Frames{11, 1});
   CHECK(t.timeline().keys[0].pose == start.keys[1].pose);
   CHECK(t.timeline().keys[1].pose == start.keys[0].pose);
   CHECK(t.timeline().cameras[0].camera.distance == 9);
-  move_keys(t.document, t.timeline(), Frames{31}, Frames{-3});
+  move_keys(t.document, t.timeline(), Places{31}, Frames{-3});
   CHECK(t.timeline().first == -3);
   CHECK(t.timeline().last == 31);
 }
@@ -94,14 +95,14 @@ TEST_CASE("keys_and_camera_keys_of_a_frame_move_together_and_may_change_places")
 TEST_CASE("frames_without_keys_are_ignored_and_give_no_edit") {
   Timed t;
   t.timeline() = test::three_keys();
-  remove_keys(t.document, Frames{2, 3});
-  set_easing(t.document, Frames{2, 3}, Easing::hold);
-  set_easing(t.document, Frames{1}, Easing::smooth);
+  remove_keys(t.document, Places{2, 3});
+  set_easing(t.document, Places{2, 3}, Easing::hold);
+  set_easing(t.document, Places{1}, Easing::smooth);
   CHECK(t.edits() == 0);
-  remove_keys(t.document, Frames{2, 11, 1});
+  remove_keys(t.document, Places{2, 11, 1});
   CHECK(t.frames() == Frames{31});
   CHECK(t.edits() == 1);
-  set_easing(t.document, Frames{31, 7}, Easing::constant_speed);
+  set_easing(t.document, Places{31, 7}, Easing::constant_speed);
   CHECK(t.timeline().keys[0].easing == Easing::constant_speed);
 }
 

@@ -93,6 +93,8 @@ Workspace animated(const test::CubeFiles& files) {
   t.keys[1].pose = test::whole(test::turned_cube(540), {motion});
   t.keys[2].mix = {{"wide", -0.37}, {"with probe", 1.5}};
   t.unkeyed = {test::key(9, test::turned_cube(-30)), {3, test::whole(test::turned_cube(400), {motion})}};
+  t.channels = {{"with probe", w.document.library().poses[2].pose, {{-3, 0.29}, {8, -5, Easing::hold}}},
+                {w.document.library().poses[0].name, w.document.library().poses[0].pose, {{7, 1.0 / 3}}}};
   t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
   t.first = -4;
   t.last = 90;
@@ -132,6 +134,13 @@ void check_same(const Workspace& a, const Workspace& b) {
   Timeline s = a.document.timeline(), t = b.document.timeline();
   CHECK(same_keys(s.keys, t.keys));
   CHECK(same_keys(s.unkeyed, t.unkeyed));
+  CHECK(std::ranges::equal(s.channels, t.channels, [](const Channel& x, const Channel& y) {
+    return x.name == y.name && x.keys == y.keys && *x.pose == *y.pose;
+  }));
+  for (const Channel& channel : t.channels)
+    CHECK(std::ranges::count(b.document.library().poses, channel.pose, &NamedPose::pose) == 1);
+  s.channels.clear();
+  t.channels.clear();
   s.keys.clear();
   s.unkeyed.clear();
   t.keys.clear();
@@ -287,9 +296,14 @@ TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored_with_a_note") {
 TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
   const test::CubeFiles files;
   const std::string camera = R"("target": [0, 0, 0], "distance": 1, "yaw": 0, "pitch": 0)",
-                    named = R"("poses": [{"name": "a", )", turns = "\"turns\": [[0,0,0],[0,0,0]], ";
+                    named = R"("poses": [{"name": "a", )",
+                    key_of_a = R"({"pose": "a", "keys": [{"frame": 2, "weight": 1}]})",
+                    turns = "\"turns\": [[0,0,0],[0,0,0]], ";
   const auto time = [](const std::string& members) { return "\"time\": {" + members + "}"; };
   const auto keys = [&](const std::string& all) { return time("\"keys\": [" + all + "]"); };
+  const auto weights = [&](const std::string& all) {
+    return named + positions() + "}], " + time("\"weights\": [" + all + "]");
+  };
   const auto pose = [](const std::string& members) { return "\"pose\": {" + members + "}"; };
   const auto stretched = [](const std::string& log) { return probes(", \"stretched\": " + log); };
   const struct {
@@ -362,6 +376,17 @@ TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
       {time("\"first\": 1e7"), "a.viete: time.first: "},
       {time("\"frame\": \"now\""), "a.viete: time.frame: "},
       {time("\"cameras\": [{\"frame\": 4}]"), "a.viete: time.cameras[0]: the key \"target\" is missing"},
+      {weights(R"({"pose": "b", "keys": [{"frame": 2, "weight": 1}]})"),
+       "a.viete: time.weights[0].pose: there is no pose with the name \"b\""},
+      {weights(key_of_a + "," + key_of_a), "time.weights[1].pose: there are already keys for the pose \"a\""},
+      {weights(R"({"pose": "a", "keys": []})"), "a.viete: time.weights[0].keys: there must be a key"},
+      {weights(R"({"pose": "a"})"), "a.viete: time.weights[0]: the key \"keys\" is missing"},
+      {weights(R"({"pose": "a", "keys": [{"frame": 2}]})"), "keys[0]: the key \"weight\" is missing"},
+      {weights(R"({"pose": "a", "keys": [{"frame": 2, "weight": 5.1}]})"), "keys[0].weight: the number 5.1"},
+      {weights(R"({"pose": "a", "keys": [{"frame": 2, "weight": 1}, {"frame": 2, "weight": 1}]})"),
+       "a.viete: time.weights[0].keys: the keys must be sorted"},
+      {weights(R"({"pose": "a", "keys": [{"frame": 2, "weight": 1, "easing": "odd"}]})"),
+       "keys[0].easing: unknown value \"odd\""},
       {keys(key_text("1e9")), "a.viete: time.keys[0].frame: "},
       {keys(key_text("2") + "," + key_text("2")), "a.viete: time.keys: the keys must be sorted"},
       {keys(key_text("2", "\"easing\": \"fast\",")), "a.viete: time.keys[0].easing: "},

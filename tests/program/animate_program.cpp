@@ -2,10 +2,14 @@
 #include <set>
 
 #include "base/numbered_files.h"
+#include "base/text.h"
+#include "files/export.h"
 #include "formats/read.h"
 #include "program/command_line.h"
 #include "support/animated_cube.h"
 #include "support/pictures.h"
+#include "workspace/playing.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -128,6 +132,72 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   CHECK(files.animate("-o h_##.obj").code == 0);
   CHECK(file_bytes(files / "g_09.obj") == file_bytes(files / "h_09.obj"));
   CHECK(file_bytes(files / "g_05.obj") != file_bytes(files / "h_05.obj"));
+}
+
+TEST_CASE("keyed_weights_are_exported_as_the_window_shows_them_to_the_bit") {
+  const AnimatedFiles files;
+  workspace::Workspace w = opened({files.model, files.cage});
+  document::Document& document = w.document;
+  document.changed_timeline() = files.document.timeline();
+  document.changed_library().poses = {{"wide", whole(turned_cage(*document.cage(), 30, 0, 1))},
+                                      {"far", whole(turned_cage(*document.cage(), -20, 2))}};
+  document::set_weight_key(document, 0, 3, 0.1);
+  document::set_weight_key(document, 0, 11, 0.7);
+  document::set_weight_key(document, 1, 7, 0.3);
+  REQUIRE(save_session(w, files / "s.viete"));
+  const Outcome outcome =
+      run("animate s.viete -o f_##.ply --frames 3-11 --step 4", "cd " + quoted(files.path()) + " &&");
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  workspace::Workspace again = opened({files / "s.viete"});
+  workspace::follow_time(again, 0);
+  for (const int frame : {3, 7, 11}) {
+    go_to_frame(again, frame);
+    const viete::files::Export one = viete::files::export_of(again.document, files / "one.ply");
+    write_deformed(one);
+    const auto shown = formats::read(one.file).surface.positions;
+    CHECK(shown != document.model().surface->positions);
+    CHECK(formats::read(files / base::formatted("f_%02d.ply", frame)).surface.positions == shown);
+  }
+}
+
+TEST_CASE("keyed_shapes_are_morph_targets_with_their_weights_if_the_model_is_linear_in_them") {
+  const CubeFiles files;
+  workspace::Workspace w = opened({files.model});
+  document::Document& document = w.document;
+  for (const double angle : {20.0, 70.0}) {
+    const auto positions = turned(document.model().surface->positions, angle);
+    document::add_shapes(document, {{base::formatted("by %g", angle),
+                                     std::make_shared<const std::vector<mesh::Point>>(positions)}});
+  }
+  document.changed_timeline().last = 12;
+  document::set_key(document, 1);
+  apply_pose(document, 0);
+  document::set_key(document, 12);
+  document::set_weight_key(document, 1, 3, 0.25);
+  document::set_weight_key(document, 1, 9, 0.75);
+  for (const bool linear : {true, false}) {
+    CAPTURE(linear);
+    document.changed_timeline().linear = linear;
+    REQUIRE(save_session(w, files / "s.viete"));
+    const Outcome outcome = run("animate s.viete -o a.glb --force", "cd " + quoted(files.path()) + " &&");
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    const auto read = formats::read(files / "a.glb");
+    const auto clip = read.original->morphs();
+    std::vector<std::size_t> own;  // for each vertex of the file, the vertex of the model
+    for (const mesh::Point& p : read.surface.positions) {
+      const auto to_p = [&](const mesh::Point& q) { return mesh::norm(p - q); };
+      const auto& rest = document.model().surface->positions;
+      own.push_back(static_cast<std::size_t>(std::ranges::min_element(rest, {}, to_p) - rest.begin()));
+    }
+    if (linear) CHECK(clip->targets() == std::vector<std::string>{"frame 12", "by 70"});
+    if (!linear) CHECK(clip->targets().size() > 2);
+    for (const int frame : {1, 3, 6, 8, 12}) {
+      go_to_frame(w, frame);
+      REQUIRE(document.shape());
+      const auto shown = mesh::picked<mesh::Point>(*document.shape(), own);
+      CHECK(largest_distance(shown, clip->at((frame - 1) / 24.0)) < (linear ? 1e-6 : 4e-4));
+    }
+  }
 }
 
 TEST_CASE("an_animation_that_was_killed_has_whole_frames") {

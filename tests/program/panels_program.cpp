@@ -99,6 +99,11 @@ void check_time(Driver& d) {
   w.preferences.layout.timeline = true;
   d.frame(3);
   check(d, "timeline");
+  document::rename_pose(w.document, 0, "a smile with a name that is too long for its row");
+  for (const auto& [pose, frame, weight] : {std::tuple(0, 1, 0.0), {0, 12, 1.0}, {0, 40, 0.25}, {1, 20, 0.5}})
+    document::set_weight_key(w.document, static_cast<std::size_t>(pose), frame, weight);
+  d.frame(3);
+  check(d, "timeline with weights");
   w.preferences.layout.timeline = false;
 }
 

@@ -348,14 +348,14 @@ TEST_CASE("edits_of_the_timeline_are_seen_at_once_while_it_plays_too") {
   Played p;
   p.go_to(6);
   const Timeline before = p.timeline();
-  move_keys(p.document(), before, std::vector{11}, std::vector{21});
+  move_keys(p.document(), before, KeyPlaces{11}, std::vector{21});
   p.pass(0);
   CHECK(p.stands_at(45));
   p.take_back();
   CHECK(p.stands_at(90));
   start_playing(p.w);
   p.pass(0.1);
-  move_keys(p.document(), p.timeline(), std::vector{11}, std::vector{21});
+  move_keys(p.document(), p.timeline(), KeyPlaces{11}, std::vector{21});
   p.pass(0.3);
   CHECK(p.w.playback.playing);
   CHECK(p.stands_at(81));
@@ -366,7 +366,7 @@ TEST_CASE("edits_of_the_timeline_are_seen_at_once_while_it_plays_too") {
   CHECK(has_unkeyed_pose(p.w));
   undo(p.document());
   start_playing(p.w);
-  remove_keys(p.document(), std::vector{1, 21, 31});
+  remove_keys(p.document(), KeyPlaces{1, 21, 31});
   p.pass(0.1);
   CHECK_FALSE(p.w.playback.playing);
 }

@@ -12,6 +12,7 @@
 #include "document/time_edit.h"
 #include "support/posed_cube.h"
 #include "workspace/apply_opened.h"
+#include "workspace/command.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
 
@@ -22,13 +23,16 @@ using Kind = PoseSource::Kind;
 
 namespace {
 
-// A cube with two named poses, and keys at the frames 1, 11 and 31.
+// A cube with two named poses, and keys at the frames 1, 11 and 31. A weight can have keys, too.
 struct Scene {
   Workspace w = test::cube_workspace();
 
-  explicit Scene(Kind kind) {
+  explicit Scene(Kind kind, bool keyed_weight = false) {
     w.document.changed_timeline() = test::three_keys();
     test::add_two_poses(w.document);
+    if (keyed_weight)
+      w.document.changed_timeline().channels = {
+          {"wide", w.document.library().poses[1].pose, {{1, 0}, {11, 0.5}}}};
     follow_time(w, 0);
     go_to(6);
     if (kind == Kind::edited) drag();
@@ -56,6 +60,11 @@ struct Scene {
   }
   void set_key() {
     document::set_key(w.document, current_frame(w.document));
+    follow_time(w, 0);
+  }
+  void key_weight() {
+    w.panels.hovered_weight = 1;
+    find_command("set_key")->run(w);
     follow_time(w, 0);
   }
   void press_tab() {
@@ -106,13 +115,15 @@ struct Transition {
 constexpr Kind by_edit = Kind::edited, by_frame = Kind::frame, by_mix = Kind::mix, by_pins = Kind::pins,
                at_rest = Kind::rest;
 
-// Cage editing refuses the timeline. A keyed mix is still a mix. A weight or a named pose ends cage editing.
+// Cage editing refuses the timeline. An edited pose is still unkeyed after a weight is keyed. A keyed mix is
+// still a mix. A weight or a named pose ends cage editing.
 const Transition transitions[] = {
     {"play", &Scene::play, by_frame, by_frame, by_frame, by_frame, at_rest, false},
     {"drag", &Scene::drag, by_edit, by_edit, by_edit, by_edit, at_rest},
     {"move a slider of a weight", &Scene::weigh, by_mix, by_mix, by_mix, by_mix, by_mix},
     {"apply a named pose", &Scene::apply, by_mix, by_mix, by_mix, by_mix, by_mix},
     {"set a key", &Scene::set_key, by_frame, by_frame, by_mix, by_frame, at_rest},
+    {"key a weight", &Scene::key_weight, by_edit, by_frame, by_mix, by_pins, at_rest},
     {"press Tab", &Scene::press_tab, at_rest, at_rest, at_rest, at_rest, by_edit},
 };
 
@@ -124,11 +135,14 @@ const char* name_of(Kind kind) {
 }  // namespace
 
 TEST_CASE("each_transition_leads_to_one_source_of_the_pose_and_undo_leads_back") {
-  for (const Transition& transition : transitions)
+  for (int i = 0; i < 2 * static_cast<int>(std::size(transitions)); ++i)
     for (const Kind before : {by_edit, by_frame, by_mix, by_pins, at_rest}) {
+      const Transition& transition = transitions[i / 2];
+      const bool keyed_weight = i % 2 == 1;
       CAPTURE(std::string(transition.name));
       CAPTURE(std::string(name_of(before)));
-      Scene scene(before);
+      CAPTURE(keyed_weight);
+      Scene scene(before, keyed_weight);
       const auto positions = scene.w.document.pose().positions;
       (scene.*transition.act)();
       CHECK(std::string(name_of(scene.source())) == name_of(transition.after(before)));

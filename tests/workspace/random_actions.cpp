@@ -184,8 +184,12 @@ private:
     Document& d = w.document;
     if (is_dragging(w)) return;
     const auto frame = [this] { return below(40) - 5; };
-    const std::vector<int> some = {frame(), frame(), current_frame(d)};
-    switch (below(10)) {
+    const auto& poses = d.library().poses;
+    const std::size_t pose =
+        poses.empty() ? 0 : static_cast<std::size_t>(below(static_cast<int>(poses.size())));
+    const std::string channel = poses.empty() || once_in(2) ? "" : poses[pose].name;
+    const KeyPlaces some = {{frame(), channel}, {frame(), channel}, {current_frame(d), channel}};
+    switch (below(12)) {
       case 0: return set_camera_key(d, frame(), w.view.camera.pose());
       case 1: return remove_keys(d, some);
       case 2: return set_easing(d, some, static_cast<Easing>(below(3)));
@@ -197,6 +201,10 @@ private:
           move_keys(d, before, some, std::vector{frame(), frame(), frame()});
         return;
       }
+      case 3:
+      case 7:
+        if (poses.empty() || is_editing_cage(d)) return;
+        return set_weight_key(d, pose, once_in(2) ? current_frame(d) : frame(), percent(-50, 150));
       case 6: return once_in(5) ? set_turntable(d, w.view.camera.pose()) : set_key(d, frame());
       default: return set_key(d, current_frame(d));
     }

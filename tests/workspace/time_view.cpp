@@ -59,18 +59,18 @@ TEST_CASE("a_press_selects_a_key_shift_adds_one_and_elsewhere_clears") {
   Workspace w = keyed_workspace({1, 10, 20});
   press_keys(w, 10, 10, false);
   release_time(w);
-  CHECK(w.view.time.selected == std::vector{10});
+  CHECK(w.view.time.selected == KeyPlaces{10});
   press_keys(w, 20, 20, true);
-  CHECK(w.view.time.selected == std::vector{10, 20});
+  CHECK(w.view.time.selected == KeyPlaces{10, 20});
   press_keys(w, 10, 10, true);
-  CHECK(w.view.time.selected == std::vector{20});
-  press_keys(w, 15, std::nullopt, false);
+  CHECK(w.view.time.selected == KeyPlaces{20});
+  press_keys(w, 15, {}, false);
   drag(w, {5, 4, 0});
-  CHECK(w.view.time.selected == std::vector{1, 10});
-  press_keys(w, 15, std::nullopt, true);
+  CHECK(w.view.time.selected == KeyPlaces{1, 10});
+  press_keys(w, 15, {}, true);
   drag(w, {25});
-  CHECK(w.view.time.selected == std::vector{1, 10, 20});
-  press_keys(w, 15, std::nullopt, false);
+  CHECK(w.view.time.selected == KeyPlaces{1, 10, 20});
+  press_keys(w, 15, {}, false);
   release_time(w);
   CHECK(w.view.time.selected.empty());
 }
@@ -85,7 +85,7 @@ TEST_CASE("selected_keys_are_dragged_together_and_each_drag_is_one_edit") {
   drag(w, {22, 29, 25.2});
   CHECK(key_frames(w.document.timeline()) == std::vector{1, 15, 25});
   CHECK(w.document.timeline().cameras.front().frame == 15);
-  CHECK(w.view.time.selected == std::vector{15, 25});
+  CHECK(w.view.time.selected == KeyPlaces{15, 25});
   CHECK(test::edit_count(w.document.history()) == edits + 1);
   press_keys(w, 15, 15, false);
   drag(w, {15.2});  // a click without a drag is not an edit
@@ -93,7 +93,7 @@ TEST_CASE("selected_keys_are_dragged_together_and_each_drag_is_one_edit") {
   w.view.time.selected = {15, 25};
   press_keys(w, 15, 15, false);
   drag(w, {1e9});
-  CHECK(w.view.time.selected == std::vector{Timeline::largest_frame - 10, Timeline::largest_frame});
+  CHECK(w.view.time.selected == KeyPlaces{Timeline::largest_frame - 10, Timeline::largest_frame});
   CHECK(test::edit_count(w.document.history()) == edits + 2);
   undo(w.document);
   undo(w.document);
@@ -109,7 +109,7 @@ TEST_CASE("a_drag_over_other_keys_and_back_takes_none_away") {
   CHECK(key_frames(w.document.timeline()) == std::vector{1, 12, 20});
   cancel_time(w);
   CHECK(key_frames(w.document.timeline()) == std::vector{1, 10, 20});
-  CHECK(w.view.time.selected == std::vector{10});
+  CHECK(w.view.time.selected == KeyPlaces{10});
 }
 
 TEST_CASE("the_ruler_goes_to_whole_frames") {
@@ -133,11 +133,11 @@ TEST_CASE("panning_moves_what_is_seen_and_escape_takes_it_back") {
 TEST_CASE("easing_is_of_the_selected_keys_or_of_the_one_before_the_frame") {
   Workspace w = keyed_workspace({1, 10, 20});
   w.document.put_frame(12);
-  CHECK(eased_keys(w) == std::vector{10});
+  CHECK(eased_keys(w) == KeyPlaces{10});
   w.view.time.selected = {1, 10, 20};  // no key follows the key at 20
-  CHECK(eased_keys(w) == std::vector{1, 10});
+  CHECK(eased_keys(w) == KeyPlaces{1, 10});
   w.view.time.selected = {20};
-  CHECK(eased_keys(w) == std::vector{10});
+  CHECK(eased_keys(w) == KeyPlaces{10});
   w.document.put_frame(0);
   CHECK(eased_keys(w).empty());
 }
