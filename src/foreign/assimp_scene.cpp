@@ -108,9 +108,10 @@ public:
         files_(files),
         attributes_(attributes) {}
 
-  // Returns an index into Attributes::materials, or mesh::none.
+  // Returns an index into Attributes::materials, or mesh::none. Assimp adds a material to meshes without one.
   std::uint32_t use(unsigned index) {
     if (index >= scene_.mNumMaterials) return mesh::none;
+    if (scene_.mMaterials[index]->GetName() == aiString(AI_DEFAULT_MATERIAL_NAME)) return mesh::none;
     const auto [at, is_new] = used_.emplace(index, static_cast<std::uint32_t>(attributes_.materials.size()));
     if (is_new) attributes_.materials.push_back(material_of(*scene_.mMaterials[index]));
     return at->second;

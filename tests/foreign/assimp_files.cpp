@@ -69,6 +69,13 @@ TEST_CASE("groups_materials_texture_points_normals_and_colours_are_read") {
   CHECK(read.warnings.empty());
 }
 
+TEST_CASE("a_mesh_without_material_stays_without_material") {
+  const Models models;
+  const formats::ReadResult read = foreign::read(models / "smile.fbx");
+  CHECK(read.attributes->materials.empty());
+  CHECK(read.attributes->groups.at(0).material == mesh::none);
+}
+
 TEST_CASE("properties_of_fbx_materials_are_read_as_blender_writes_them") {
   const Models models;
   test::put_file(models / "glow.png", "an image");
