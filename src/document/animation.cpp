@@ -128,10 +128,7 @@ Animation::Animation(const Timeline& timeline, VectorCache& vectors)
     : timeline_(timeline), space_(vectors.space()) {
   if (std::ranges::any_of(timeline_.keys, [](const PoseKey& key) { return key.pose->shape != nullptr; }))
     add_shapes(vectors);
-  for (const PoseKey& key : timeline_.keys) {
-    take_farthest(key.pose->cage.positions);
-    if (key.pose->shape) take_farthest(*key.pose->shape);
-  }
+  for (const PoseKey& key : timeline_.keys) take_farthest(*key.pose);
   add_channels(vectors);
   if (!space_) return;
   std::span<const mesh::Vec3> turns;
@@ -150,16 +147,17 @@ void Animation::add_channels(VectorCache& vectors) {
     const SharedPose& pose = channel.pose;
     channels_.push_back(
         {pose, 0, vectors.of(pose), pose->shape ? vectors.of(pose->shape, nullptr, pool, report) : nullptr});
-    take_farthest(pose->cage.positions);
-    if (!pose->shape) continue;
-    take_farthest(*pose->shape);
-    shapes_ = vectors.shapes(pool);
+    take_farthest(*pose);
+    if (pose->shape) shapes_ = vectors.shapes(pool);
   }
 }
 
-void Animation::take_farthest(std::span<const mesh::Point> positions) {
-  for (const mesh::Point& p : positions)
-    for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
+void Animation::take_farthest(const WholePose& pose) {
+  const auto take = [this](std::span<const mesh::Point> positions) {
+    for (const mesh::Point& p : positions) farthest_ = std::max(farthest_, mesh::largest_abs(p));
+  };
+  take(pose.cage.positions);
+  if (pose.shape) take(*pose.shape);
 }
 
 void Animation::add_shapes(VectorCache& vectors) {
@@ -181,35 +179,31 @@ WholePose Animation::key(std::size_t key) const {
   return pose;
 }
 
-SharedPose Animation::base(double frame, bool linear) const {
-  WholePose pose;
-  if (timeline_.keys.empty()) {
-    if (space_) pose.cage = pose::rest_pose(space_->cage());
-    return std::make_shared<const WholePose>(std::move(pose));
-  }
+WholePose Animation::pose_of_keys(double frame, bool linear) const {
+  if (timeline_.keys.empty()) return {space_ ? pose::rest_pose(space_->cage()) : pose::Pose(), {}, {}};
   const Moment moment = moment_at(timeline_, frame);
-  if (moment.shares.size() > 1) pose = blend(moment, linear);
-  if (moment.shares.size() == 1 || !in_range(pose, farthest_)) pose = key(moment.from);
-  return std::make_shared<const WholePose>(std::move(pose));
+  if (moment.shares.size() == 1) return key(moment.from);
+  WholePose pose = blend(moment, linear);
+  return in_range(pose, farthest_) ? pose : key(moment.from);
 }
 
-WholePose Animation::with_channels(const SharedPose& base, double frame, bool linear) const {
-  std::vector<MixTerm> terms;
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    terms.push_back(channels_[i]);
-    terms.back().weight = weight_at(timeline_, timeline_.channels[i], frame);
-  }
+WholePose Animation::at(double frame, bool linear, SharedPose* base) const {
+  MixTerm whole{std::make_shared<const WholePose>(pose_of_keys(frame, linear)), 1};
+  const WholePose& of_keys = *whole.pose;
+  if (base) *base = whole.pose;
+  std::vector<MixTerm> terms = channels_;
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    terms[i].weight = weight_at(timeline_, timeline_.channels[i], frame);
   std::erase_if(terms, [](const MixTerm& term) { return term.weight == 0; });
-  if (terms.empty()) return *base;
-  MixTerm whole{base, 1};
-  if (space_) whole.cage = std::make_shared<const shapes::LogVector>(space_->vector(base->cage));
+  if (terms.empty()) return of_keys;
+  if (space_) whole.cage = std::make_shared<const shapes::LogVector>(space_->vector(of_keys.cage));
   if (std::ranges::any_of(terms, [](const MixTerm& term) { return term.shape != nullptr; })) {
     base::WorkerPool pool;
-    whole.shape = std::make_shared<const shapes::LogVector>(base->shape ? shapes_->vector(*base->shape, pool)
-                                                                        : shapes_->at_rest());
+    whole.shape = std::make_shared<const shapes::LogVector>(
+        of_keys.shape ? shapes_->vector(*of_keys.shape, pool) : shapes_->at_rest());
   }
   WholePose pose = mixed_upon(whole, terms, space_.get(), shapes_.get(), linear);
-  return in_range(pose, farthest_) ? pose : *base;
+  return in_range(pose, farthest_) ? pose : of_keys;
 }
 
 WholePose Animation::blend(const Moment& moment, bool linear) const {

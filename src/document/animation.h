@@ -117,24 +117,18 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const { return at(frame, timeline_.linear); }
-  /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting.
-  WholePose at(double frame, bool linear) const { return with_channels(base(frame, linear), frame, linear); }
-  /// Returns the pose of the pose keys, without the channels.
-  SharedPose base(double frame) const { return base(frame, timeline_.linear); }
-  /// Returns `base` plus the weighted poses of the channels.
-  WholePose with_channels(const SharedPose& base, double frame) const {
-    return with_channels(base, frame, timeline_.linear);
-  }
+  /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting. If `base` is not null, it
+  /// gets the pose without the channels.
+  WholePose at(double frame, bool linear, SharedPose* base = nullptr) const;
 
 private:
-  SharedPose base(double frame, bool linear) const;
-  WholePose with_channels(const SharedPose& base, double frame, bool linear) const;
   void add_channels(VectorCache& vectors);
+  WholePose pose_of_keys(double frame, bool linear) const;
   WholePose key(std::size_t key) const;
   WholePose blend(const Moment& moment, bool linear) const;
   SharedShape blended_shape(const Moment& moment, bool linear) const;
   void add_shapes(VectorCache& vectors);
-  void take_farthest(std::span<const mesh::Point> positions);
+  void take_farthest(const WholePose& pose);
 
   Timeline timeline_;
   double farthest_ = most_drawn;  // largest allowed coordinate: max(most_drawn, all keys' coordinates)

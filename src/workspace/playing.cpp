@@ -27,8 +27,9 @@ const TimedPose& timed_pose(const Workspace& w) {
   const auto& animation = w.playback.animation;
   const double frame = w.document.frame();
   if (known.animation == animation && known.frame == frame) return known;
-  known = {animation, frame, animation->base(frame)};
-  known.pose = std::make_shared<const document::WholePose>(animation->with_channels(known.base, frame));
+  known = {animation, frame};
+  const bool linear = w.playback.timeline.linear;
+  known.pose = std::make_shared<const document::WholePose>(animation->at(frame, linear, &known.base));
   return known;
 }
 
