@@ -59,17 +59,6 @@ SharedPose mixed_upon(const Document& document, VectorCache& vectors, const Shar
   return std::make_shared<const WholePose>(std::move(pose));
 }
 
-// If only one pose has a nonzero weight, and this weight is 1, returns the pose. Otherwise returns null.
-const NamedPose* only_mixed_pose(const PoseLibrary& library) {
-  const NamedPose* found = nullptr;
-  for (const NamedPose& named : library.poses) {
-    if (named.weight == 0) continue;
-    if (found || named.weight != 1) return nullptr;
-    found = &named;
-  }
-  return found;
-}
-
 // The named poses, with the weights that PoseSource::base does not contain.
 PoseLibrary weights_upon_base(const Document& document) {
   PoseLibrary library = document.library();
@@ -195,12 +184,14 @@ SharedPose unmixed_pose(const Document& document) {
 
 namespace {
 
-// Returns the pose upon which the weighted poses make the current pose. The current pose without the logs of
-// the weighted poses is not exact, because the cage is fitted to sums of logs. Therefore subtracts the logs
-// of the error as long as the error decreases.
+// Returns the pose upon which the weighted poses make the current pose: the rest pose, if it is exactly this
+// pose. The current pose without the logs of the weighted poses is not exact, because the cage is fitted to
+// sums of logs. Therefore subtracts the logs of the error as long as the error decreases.
 SharedPose unknown_base(const Document& document, VectorCache& vectors, const SharedPose& now,
                         const PoseLibrary& weighted) {
   const bool linear = document.timeline().linear;
+  const SharedPose rest = rest_of(document);
+  if (same_pose(*mixed_upon(document, vectors, rest, weighted, linear), *now)) return rest;
   PoseLibrary change = weighted;
   for (NamedPose& named : change.poses) named.weight = -named.weight;
   SharedPose base = mixed_upon(document, vectors, now, change, linear), best = base;
@@ -231,8 +222,6 @@ SharedPose pose_without(const Document& document, VectorCache& vectors, PoseLibr
       weighted.poses[i].weight = upon_base.poses[i].weight - weighted.poses[i].weight;
     return mixed_upon(document, vectors, source.base, weighted, document.timeline().linear);
   }
-  const NamedPose* alone = only_mixed_pose(weighted);
-  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
   return unknown_base(document, vectors, now, weighted);
 }
 
