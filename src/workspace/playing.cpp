@@ -103,21 +103,22 @@ bool is_keyed_mix(const Workspace& w) {
   return std::ranges::equal(w.document.library().poses, keyed_weights(w), same);
 }
 
-// Sets a key after an edit: of the weight if a slider was moved, otherwise of the pose. Returns true if the
-// key contains the edit.
+// Sets a key after an edit: of the weight if a slider was moved, otherwise of the pose. Returns true if it
+// has set a key of the pose.
 bool set_auto_key(Workspace& w) {
   document::Document& document = w.document;
   const int frame = current_frame(document);
+  const auto step = document.history().last_step();
+  const bool slid = step && step->kind == document::EditKind::mix;
   try {
-    const auto step = document.history().last_step();
-    if (step && step->kind == document::EditKind::mix) {
-      add_weight_key_to_edit(document, step->of, frame, weight_upon_keys(w, step->of));
-    } else {
-      add_key_to_edit(document, frame, shown_weights(w), &w.playback.vectors);
-    }
+    document.changed_timeline() =
+        slid ? with_weight_key(document.timeline(), document.library().poses[step->of], frame,
+                               weight_upon_keys(w, step->of))
+             : with_key(document, frame, shown_weights(w), &w.playback.vectors);
+    document.changed_history().extend_last();
     see(w);
     animation_of(w);
-    return !step || step->kind != document::EditKind::mix || is_keyed_mix(w);
+    return !slid;
   } catch (const base::Error& error) {
     w.messages.error(error.what(), {"key"});
     return false;
@@ -138,9 +139,9 @@ void follow_edits(Workspace& w) {
   const bool keyed = p.auto_key && edited && set_auto_key(w);
   if (has_keyed_pose(w)) {
     take_as_keyed(w);
-  } else if (keyed) {
+  } else if (keyed || is_keyed_mix(w)) {
     show_keys(w);
-  } else if (retimed && (is_shown(w) || is_keyed_mix(w))) {
+  } else if (retimed && is_shown(w)) {
     show_frame(w, w.document.frame());
   } else {
     p.playing = false;
