@@ -190,7 +190,7 @@ WholePose Animation::pose_of_keys(double frame, bool linear) const {
 WholePose Animation::at(double frame, bool linear, SharedPose* base) const {
   MixTerm whole{std::make_shared<const WholePose>(pose_of_keys(frame, linear)), 1};
   const WholePose& of_keys = *whole.pose;
-  if (base) *base = whole.pose;
+  if (base && !channels_.empty()) *base = whole.pose;
   std::vector<MixTerm> terms = channels_;
   for (std::size_t i = 0; i < terms.size(); ++i)
     terms[i].weight = weight_at(timeline_, timeline_.channels[i], frame);

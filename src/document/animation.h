@@ -117,8 +117,8 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const { return at(frame, timeline_.linear); }
-  /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting. If `base` is not null, it
-  /// gets the pose without the channels.
+  /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting. If `base` is not null and
+  /// there are channels, `*base` gets the pose without them.
   WholePose at(double frame, bool linear, SharedPose* base = nullptr) const;
 
 private:

@@ -43,11 +43,6 @@ bool has_keyed_pose(const Workspace& w) {
   return shows(w.document, *timed_pose(w).pose);
 }
 
-// The base of PoseSource::Kind::frame. Null without keyed weights.
-document::SharedPose base_of_frame(const Workspace& w) {
-  return w.document.timeline().channels.empty() ? nullptr : timed_pose(w).base;
-}
-
 // Goes to a frame without storing an unkeyed pose.
 void show_frame(Workspace& w, double frame) {
   w.document.put_frame(frame);
@@ -87,7 +82,7 @@ void take_as_keyed(Workspace& w) {
   using Kind = document::PoseSource::Kind;
   if (source_of(document) != Kind::mix && !source.kept) {
     source.kind = Kind::frame;
-    source.base = base_of_frame(w);
+    source.base = timed_pose(w).base;
   }
   source.pose = shared_pose(document);
   source.keyed = true;
@@ -232,7 +227,7 @@ double weight_upon_keys(const Workspace& w, std::size_t pose) {
 
 void show_keys(Workspace& w) {
   if (animation_of(w))
-    show_pose(w.document, *timed_pose(w).pose, document::PoseSource::Kind::frame, base_of_frame(w));
+    show_pose(w.document, *timed_pose(w).pose, document::PoseSource::Kind::frame, timed_pose(w).base);
 }
 
 void replace_pose(Workspace& w, const std::function<void()>& edit) {
