@@ -86,9 +86,7 @@ void set_keys(Workspace& w, const auto& set, const std::string& done) {
   });
 }
 
-template <class Key>
-std::string key_message(const std::vector<Key>& keys, const std::string& what, int frame) {
-  const bool replaces = std::ranges::find(keys, frame, &Key::frame) != keys.end();
+std::string key_message(bool replaces, const std::string& what, int frame) {
   const std::string at = std::to_string(frame);
   return replaces ? what + " at frame " + at + " replaced; undo restores the old one."
                   : what + " set at frame " + at + '.';
@@ -108,8 +106,7 @@ void key_weight(Workspace& w, std::size_t pose) {
     set_weight_key(w.document, pose, frame, weight);
     w.view.time.selected = {place};
   };
-  const std::vector<document::WeightKey> none;
-  set_keys(w, set, key_message(channel ? channel->keys : none, "Key of " + name, frame));
+  set_keys(w, set, key_message(key, "Key of " + name, frame));
 }
 
 void key_pose(Workspace& w) {
@@ -121,7 +118,7 @@ void key_pose(Workspace& w) {
     if (!w.document.timeline().channels.empty()) show_keys(w);
     w.view.time.selected = {frame};
   };
-  set_keys(w, set, key_message(w.document.timeline().keys, "Key", frame));
+  set_keys(w, set, key_message(key_at(w.document.timeline(), frame), "Key", frame));
 }
 
 void key_camera(Workspace& w) {
@@ -130,7 +127,7 @@ void key_camera(Workspace& w) {
     set_camera_key(w.document, frame, w.view.camera.pose());
     w.view.time.selected = {frame};
   };
-  set_keys(w, set, key_message(w.document.timeline().cameras, "Camera key", frame));
+  set_keys(w, set, key_message(key_at(w.document.timeline().cameras, frame), "Camera key", frame));
 }
 
 void key_turntable(Workspace& w) {
