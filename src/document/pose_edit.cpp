@@ -386,11 +386,12 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
   return remix(document, vectors, label, change, {EditKind::mix, pose}, played);
 }
 
-bool clear_mix(Document& document, VectorCache& vectors) {
-  if (!document.library().mixes()) return true;
-  return remix(document, vectors, "clear weights", [](DocumentState& state) {
+bool clear_mix(Document& document, VectorCache& vectors, std::span<const double> played) {
+  if (played.empty() && !document.library().mixes()) return true;
+  const auto change = [](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight = 0;
-  });
+  };
+  return remix(document, vectors, "clear weights", change, {}, played);
 }
 
 SharedPose mixed_by(const Document& document, VectorCache& vectors, bool linear) {

@@ -71,8 +71,8 @@ void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 /// poses in this pose. Otherwise `played` is empty.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
-/// Sets all weights to 0. Can return false like set_weight().
-bool clear_mix(Document& document, VectorCache& vectors);
+/// Sets all weights to 0. Otherwise like set_weight().
+bool clear_mix(Document& document, VectorCache& vectors, std::span<const double> played = {});
 /// Sets how poses and keys are blended: linearly or in log space. Can return false like set_weight().
 bool set_linear(Document& document, VectorCache& vectors, bool linear);
 /// Returns the mix, computed linearly if `linear`, otherwise in log space. If the current pose is not a

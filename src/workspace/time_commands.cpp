@@ -19,7 +19,10 @@ constexpr Condition can_pose{
     "Open a cage, add a probe or import shapes first. Leave cage editing."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
                                     "Choose a pose in the list first. Add pose adds the current pose."};
-constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library().mixes(); },
+constexpr Condition has_mix{[](const Workspace& w) {
+                              const auto is_set = [](double weight) { return weight != 0; };
+                              return can_pose(w) && std::ranges::any_of(shown_weights(w), is_set);
+                            },
                             "All weights are 0 %: move the slider of a pose first."};
 constexpr Condition has_time{[](const Workspace& w) {
                                return !w.document.timeline().empty() && !is_editing_cage(w.document) &&
@@ -73,6 +76,10 @@ void remove(Workspace& w) {
   remove_pose(w.document, w.playback.vectors, *w.view.chosen_pose);
   const std::size_t left = w.document.library().poses.size();
   w.view.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.view.chosen_pose, left - 1));
+}
+
+void clear_weights(Workspace& w) {
+  change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors, shown_weights(w)); });
 }
 
 // Sets keys. If the timeline is closed or has no keys yet, opens the timeline and shows all keys.
@@ -188,8 +195,7 @@ void add_pose_commands(CommandTable& table) {
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",
-            has_mix,
-            [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
+            has_mix, clear_weights);
   table.add("key_weight", "Key weight",
             "Set a key of the chosen pose's weight at this frame, or delete it. The pose is then animated on "
             "its own row.",
