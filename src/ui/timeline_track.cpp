@@ -27,10 +27,6 @@ struct Row {
   std::string channel;  // empty for poses and cameras
   bool cameras = false;
   float y = 0;  // the middle of the row
-
-  bool touches(float from, float to) const {
-    return y + 0.5f * row_height > from && y - 0.5f * row_height < to;
-  }
 };
 
 // Maps frames to the screen.
@@ -210,7 +206,7 @@ void follow_mouse(const Track& t) {
   const auto [top, bottom] = box_ends(t);
   std::vector<std::string> rows;
   for (const Row& row : t.rows)
-    if (row.touches(top, bottom)) rows.push_back(row.channel);
+    if (row.y + 0.5f * row_height > top && row.y - 0.5f * row_height < bottom) rows.push_back(row.channel);
   workspace::drag_time(w, frame, rows);
   if (!down) workspace::release_time(w);
 }
@@ -279,7 +275,7 @@ void timeline_track(const Context& ui, ImVec2 low, ImVec2 high) {
   const auto count = static_cast<float>(track.rows.size());
   const bool named = !track.timeline().channels.empty();
   ui.workspace.preferences.layout.more_timeline =
-      named ? std::max(0.0f, std::min(count, most_rows) * row_height - least_rows_height) : 0;
+      std::max(0.0f, std::min(count, most_rows) * row_height - least_rows_height);
   const float scrolled = named ? row_names(ui, track.rows, {low.x, top}, height) : 0;
   if (named) track.low.x += names_width;
   for (std::size_t i = 0; i < track.rows.size(); ++i)
