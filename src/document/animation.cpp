@@ -296,12 +296,6 @@ SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> te
 
 namespace {
 
-bool is_rest_pose(const WholePose& pose, const shapes::PoseSpace* space) {
-  return !pose.shape && (!space || pose.cage.positions == space->cage().surface.positions) &&
-         std::ranges::all_of(pose.probes, [](const auto& p) { return p == pose::ProbePose{}; }) &&
-         std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
-}
-
 SharedShape shape_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::ShapeSpace* space,
                        bool linear) {
   std::vector<const MixTerm*> shapes;
@@ -323,11 +317,14 @@ SharedShape shape_upon(const MixTerm& base, std::span<const MixTerm> terms, cons
 WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
                      const shapes::ShapeSpace* shapes, bool linear) {
   if (terms.empty()) return *base.pose;
-  if (terms.size() == 1 && terms[0].weight == 1 && is_rest_pose(*base.pose, poses)) return *terms[0].pose;
   std::vector<ProbeTerm> probes{{&base.pose->probes, 1}};
   for (const MixTerm& term : terms) probes.push_back({&term.pose->probes, term.weight});
   WholePose pose{base.pose->cage, blended_probes(probes), shape_upon(base, terms, shapes, linear)};
   if (!poses) return pose;
+  if (terms.size() == 1 && terms[0].weight == 1 && same_pose(pose.cage, pose::rest_pose(poses->cage()))) {
+    pose.cage = terms[0].pose->cage;
+    return pose;
+  }
   std::vector<shapes::LogTerm> sum;
   for (const MixTerm& term : terms) sum.push_back({term.cage.get(), term.weight});
   const shapes::AnchorWeights anchors = poses->logs().anchors_from(*base.cage, sum);

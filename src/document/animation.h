@@ -44,8 +44,8 @@ struct MixTerm {
   std::shared_ptr<const shapes::LogVector> shape{};  ///< null if no pose of the mix has a shape
 };
 /// Returns `base`, whose weight is ignored, plus the weighted poses. Probes are always blended in log space.
-/// If the base is the rest pose and a single pose has the weight 1, returns this pose unchanged. `poses` is
-/// null without a cage, `shapes` can be null if no pose of `terms` has a shape.
+/// Upon the rest pose, a single pose of weight 1 is exact. `poses` is null without a cage, `shapes` can be
+/// null if no pose of `terms` has a shape.
 WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
                      const shapes::ShapeSpace* shapes, bool linear);
 

@@ -35,7 +35,6 @@ SharedPose mixed_upon(const Document& document, VectorCache& vectors, const Shar
   if (!library.mixes()) return base;
   vectors.follow(document.cage());
   vectors.follow_model(document.model().surface);
-  const auto& probes = document.probes().all;
   base::WorkerPool pool;
   bool shaped = false;
   const auto shape_vector = [&](const SharedShape& shape) {
@@ -48,11 +47,7 @@ SharedPose mixed_upon(const Document& document, VectorCache& vectors, const Shar
     shaped |= pose->shape != nullptr;
     terms.push_back({pose, weight, vectors.of(pose), pose->shape ? shape_vector(pose->shape) : nullptr});
   }
-  WholePose unlocked = *base;
-  for (std::size_t i = 0; i < std::min(probes.size(), unlocked.probes.size()); ++i)
-    if (probes[i].locked) unlocked.probes[i] = {};
-  const MixTerm whole{std::make_shared<const WholePose>(std::move(unlocked)), 1, vectors.of(base),
-                      shaped ? shape_vector(base->shape) : nullptr};
+  const MixTerm whole{base, 1, vectors.of(base), shaped ? shape_vector(base->shape) : nullptr};
   const shapes::ShapeSpace* shapes = shaped ? vectors.shapes(pool).get() : nullptr;
   WholePose pose = document::mixed_upon(whole, terms, vectors.space().get(), shapes, linear);
   keep_locked(document, pose);
