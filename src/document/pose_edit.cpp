@@ -35,21 +35,7 @@ SharedPose mixed_upon(const Document& document, VectorCache& vectors, const Shar
   if (!library.mixes()) return base;
   vectors.follow(document.cage());
   vectors.follow_model(document.model().surface);
-  base::WorkerPool pool;
-  bool shaped = false;
-  const auto shape_vector = [&](const SharedShape& shape) {
-    shapes::ShapeReport report;
-    return vectors.of(shape, nullptr, pool, report);
-  };
-  std::vector<MixTerm> terms;
-  for (const auto& [name, pose, weight] : library.poses) {
-    if (weight == 0) continue;
-    shaped |= pose->shape != nullptr;
-    terms.push_back({pose, weight, vectors.of(pose), pose->shape ? shape_vector(pose->shape) : nullptr});
-  }
-  const MixTerm whole{base, 1, vectors.of(base), shaped ? shape_vector(base->shape) : nullptr};
-  const shapes::ShapeSpace* shapes = shaped ? vectors.shapes(pool).get() : nullptr;
-  WholePose pose = document::mixed_upon(whole, terms, vectors.space().get(), shapes, linear);
+  WholePose pose = document::mixed_upon(vectors, base, library.poses, linear);
   keep_locked(document, pose);
   return std::make_shared<const WholePose>(std::move(pose));
 }

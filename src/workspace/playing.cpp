@@ -181,6 +181,8 @@ std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
   const document::Document& document = w.document;
   if (is_editing_cage(document)) return nullptr;
   if (is_current(w) && (p.animation || !p.timeline.has_poses())) return p.animation;
+  p.by_time = {};
+  p.animation = nullptr;  // owns poses, whose vectors would stay in the cache
   p.vectors.follow(document.cage());
   p.vectors.follow_model(document.model().surface);
   p.cage = document.cage();
