@@ -181,7 +181,7 @@ WholePose Animation::key(std::size_t key) const {
 WholePose Animation::pose_of_keys(double frame, bool linear) const {
   if (timeline_.keys.empty()) return {space_ ? pose::rest_pose(space_->cage()) : pose::Pose(), {}, {}};
   const Moment moment = moment_at(timeline_, frame);
-  if (moment.shares.size() == 1) return key(moment.from);
+  if (moment.shares.size() == 1) return key(moment.shares.front().key);
   WholePose pose = blend(moment, linear);
   return in_range(pose, farthest_) ? pose : key(moment.from);
 }
