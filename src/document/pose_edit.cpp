@@ -40,13 +40,10 @@ SharedPose mixed_upon(const Document& document, VectorCache& vectors, const Shar
   return std::make_shared<const WholePose>(std::move(pose));
 }
 
-// The named poses, with the weights that PoseSource::base does not contain.
-PoseLibrary weights_upon_base(const Document& document) {
-  PoseLibrary library = document.library();
-  if (document.source().kind != PoseSource::Kind::frame) return library;
-  for (NamedPose& named : library.poses)
-    named.weight = weight_at(document.timeline(), named.name, document.frame());
-  return library;
+// The weight of a named pose in the current pose, without the weight that PoseSource::base contains.
+double weight_upon_base(const Document& document, const NamedPose& named) {
+  const bool keyed = document.source().kind == PoseSource::Kind::frame;
+  return keyed ? weight_at(document.timeline(), named.name, document.frame()) : named.weight;
 }
 
 bool are_weights(const PoseLibrary& library) {
@@ -198,9 +195,9 @@ SharedPose pose_without(const Document& document, VectorCache& vectors, PoseLibr
   if (!weighted.mixes()) return now;
   const PoseSource& source = document.source();
   if (source.base && source.pose && shows(document, *source.pose)) {
-    const PoseLibrary upon_base = weights_upon_base(document);
     for (std::size_t i = 0; i < weighted.poses.size(); ++i)
-      weighted.poses[i].weight = upon_base.poses[i].weight - weighted.poses[i].weight;
+      weighted.poses[i].weight =
+          weight_upon_base(document, document.library().poses[i]) - weighted.poses[i].weight;
     return mixed_upon(document, vectors, source.base, weighted, document.timeline().linear);
   }
   return unknown_base(document, vectors, now, weighted);
