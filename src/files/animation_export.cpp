@@ -266,8 +266,7 @@ public:
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double frame = samples[i].frame;
       auto pose = at(frame);
-      check_floats(pose, frame);
-      take_moves(plan, pose, tolerance);
+      take_moves(plan, pose, frame, tolerance);
       if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
         take(samples[i - 1].frame, before);
         lines.lead_to(frame, pose);
@@ -314,7 +313,8 @@ public:
   FrameNotes& notes() { return notes_; }
 
 private:
-  void take_moves(MorphPlan& plan, std::span<const mesh::Point> pose, double still) {
+  void take_moves(MorphPlan& plan, std::span<const mesh::Point> pose, double frame, double still) {
+    check_floats(pose, frame);
     const auto& rest = what_.model.model->positions;
     for (std::size_t v = 0; v < pose.size(); ++v) {
       plan.moves[v] |= !(mesh::norm(pose[v] - rest[v]) <= still);
@@ -325,11 +325,7 @@ private:
   MorphPlan plan_of_shapes(MorphPlan plan) {
     tolerance_ = least_tolerance;
     for (const Sample& sample : samples_of(what_)) plan.frames.push_back(sample.frame);
-    for (const MorphTarget& shape : plan.targets) {
-      const auto positions = shape.positions();
-      check_floats(positions, what_.first);
-      take_moves(plan, positions, 0);
-    }
+    for (const MorphTarget& shape : plan.targets) take_moves(plan, shape.positions(), what_.first, 0);
     check_size(plan);
     return plan;
   }
