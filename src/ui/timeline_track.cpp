@@ -66,17 +66,16 @@ std::vector<Row> rows_of(const document::Document& document) {
 // Draws the names of the rows. Returns the distance by which the rows are scrolled.
 float row_names(const Context& ui, std::span<const Row> rows, ImVec2 low, float height) {
   ImGui::SetCursorScreenPos(low);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  const float above = 0.5f * (row_height - ImGui::GetTextLineHeight());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, above});
   ImGui::BeginChild("rows", {names_width, height});
   const float room = ImGui::GetContentRegionAvail().x - 6;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string name = "time/row/" + std::to_string(i), shown = shortened(rows[i].label, room);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton(name.c_str(), {room, row_height});
-    record(ui, name);
+    const std::string shown = shortened(rows[i].label, room);
+    ImGui::SetCursorPosY(static_cast<float>(i) * row_height + above);
+    text_in(ui.colors.faint, shown);
+    record(ui, "time/row/" + std::to_string(i));
     if (shown != rows[i].label) hint(rows[i].label);
-    const float top = at.y + 0.5f * (row_height - ImGui::GetTextLineHeight());
-    ImGui::GetWindowDrawList()->AddText({at.x, top}, ui.colors.faint, shown.c_str());
   }
   const float scrolled = ImGui::GetScrollY();
   ImGui::EndChild();
