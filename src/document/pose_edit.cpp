@@ -262,14 +262,11 @@ void mix_only(Document& document, std::size_t pose) {
 
 }  // namespace
 
-std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights) {
+std::vector<MixedPose> mixed_poses(const PoseLibrary& library) {
   std::vector<MixedPose> mix;
-  for (std::size_t i = 0; i < library.poses.size(); ++i) {
-    const double weight = weights.empty() ? library.poses[i].weight : weights[i];
+  for (const auto& [name, pose, weight] : library.poses)
     if (weight != 0)
-      mix.push_back({library.poses[i].name,
-                     std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight)});
-  }
+      mix.push_back({name, std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight)});
   return mix;
 }
 

@@ -42,8 +42,8 @@ void follow_library(const PoseLibrary& library, Timeline& timeline);
 /// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 
-/// Returns the poses with nonzero weights. `weights` replaces the weights of the library if it is not empty.
-std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights = {});
+/// Returns the poses with nonzero weights.
+std::vector<MixedPose> mixed_poses(const PoseLibrary& library);
 
 /// Adds the current pose, without the weighted poses, to the list with weight 1, and returns its index. The
 /// current pose and the other weights do not change. set_weight() explains `played`. If the list is full or

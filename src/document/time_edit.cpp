@@ -73,20 +73,19 @@ Timeline with_key(const Document& document, int frame, std::span<const double> w
   check_frame(frame);
   Timeline timeline = document.timeline();
   const auto& poses = document.library().poses;
-  PoseLibrary keyed = document.library();
-  std::vector<double> others(poses.size());
+  PoseLibrary keyed = document.library(), others = keyed;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double weight = weights.empty() ? poses[i].weight : weights[i];
     const bool has_channel = channel_of(timeline, poses[i].name) != nullptr;
     keyed.poses[i].weight = has_channel ? weight : 0;
-    others[i] = has_channel ? 0 : weight;
+    others.poses[i].weight = has_channel ? 0 : weight;
     if (has_channel && weight_at(document.timeline(), poses[i].name, frame) != weight)
       timeline = with_weight_key(std::move(timeline), poses[i], frame, weight);
   }
   VectorCache own;
   PoseKey& key = key_for(timeline.keys, frame);
   key.pose = pose_without(document, vectors ? *vectors : own, keyed);
-  key.mix = mixed_poses(document.library(), others);
+  key.mix = mixed_poses(others);
   include(timeline, frame);
   return timeline;
 }
