@@ -52,13 +52,6 @@ bool are_weights(const PoseLibrary& library) {
   });
 }
 
-// True if the current pose is that of the keys, possibly with other weights.
-bool is_on_keys(const Document& document) {
-  const PoseSource& source = document.source();
-  return source.pose && shows(document, *source.pose) &&
-         (source.keyed || (source.kind == PoseSource::Kind::mix && source.on_keys));
-}
-
 // Calls `change` for a copy of the state, and applies the new mix. If a weight or the new pose is out of
 // range, changes nothing and returns false. set_weight() explains `played`.
 template <class Change>
@@ -70,7 +63,9 @@ bool remix(Document& document, VectorCache& vectors, const std::string& label, C
   change(changed);
   const SharedPose pose = mixed_upon(document, vectors, base, changed.library, changed.timeline.linear);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
-  const bool on_keys = is_on_keys(document);
+  const PoseSource& source = document.source();
+  const bool on_keys = (source.keyed || (source.kind == PoseSource::Kind::mix && source.on_keys)) &&
+                       source.pose && shows(document, *source.pose);
   const DocumentState* last = document.history().before_last();
   record_step(document, label, step, step.kind == EditKind::mix && last && last->frame == document.frame());
   document.changed_library() = std::move(changed.library);
