@@ -78,10 +78,6 @@ void remove(Workspace& w) {
   w.view.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.view.chosen_pose, left - 1));
 }
 
-void clear_weights(Workspace& w) {
-  change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors, shown_weights(w)); });
-}
-
 // Sets keys. If the timeline is closed or has no keys yet, opens the timeline and shows all keys.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
@@ -195,7 +191,9 @@ void add_pose_commands(CommandTable& table) {
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",
-            has_mix, clear_weights);
+            has_mix, [](Workspace& w) {
+              change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors, shown_weights(w)); });
+            });
   table.add("key_weight", "Key weight",
             "Set a key of the chosen pose's weight at this frame, or delete it. The pose is then animated on "
             "its own row.",
