@@ -129,18 +129,6 @@ Animation::Animation(const Timeline& timeline, VectorCache& vectors)
   if (std::ranges::any_of(timeline_.keys, [](const PoseKey& key) { return key.pose->shape != nullptr; }))
     add_shapes(vectors);
   for (const PoseKey& key : timeline_.keys) take_farthest(*key.pose);
-  add_channels(vectors);
-  if (!space_) return;
-  std::span<const mesh::Vec3> turns;
-  for (const PoseKey& key : timeline_.keys) {
-    vectors_.push_back(vectors.of(key.pose, turns));
-    turns = vectors_.back()->turns;
-  }
-  for (std::size_t i = 0; i + 1 < vectors_.size(); ++i)
-    anchors_.push_back(space_->logs().anchors_between(*vectors_[i], *vectors_[i + 1]));
-}
-
-void Animation::add_channels(VectorCache& vectors) {
   base::WorkerPool pool;
   for (const Channel& channel : timeline_.channels) {
     shapes::ShapeReport report;
@@ -149,6 +137,14 @@ void Animation::add_channels(VectorCache& vectors) {
     take_farthest(*channel.pose);
   }
   if (!timeline_.channels.empty()) channels_ = vectors;
+  if (!space_) return;
+  std::span<const mesh::Vec3> turns;
+  for (const PoseKey& key : timeline_.keys) {
+    vectors_.push_back(vectors.of(key.pose, turns));
+    turns = vectors_.back()->turns;
+  }
+  for (std::size_t i = 0; i + 1 < vectors_.size(); ++i)
+    anchors_.push_back(space_->logs().anchors_between(*vectors_[i], *vectors_[i + 1]));
 }
 
 void Animation::take_farthest(const WholePose& pose) {

@@ -114,7 +114,6 @@ public:
   WholePose at(double frame, bool linear, SharedPose* base = nullptr) const;
 
 private:
-  void add_channels(VectorCache& vectors);
   WholePose pose_of_keys(double frame, bool linear) const;
   WholePose key(std::size_t key) const;
   WholePose blend(const Moment& moment, bool linear) const;
