@@ -128,11 +128,15 @@ Animation::Animation(const Timeline& timeline, VectorCache& vectors)
     : timeline_(timeline), space_(vectors.space()) {
   if (std::ranges::any_of(timeline_.keys, [](const PoseKey& key) { return key.pose->shape != nullptr; }))
     add_shapes(vectors);
-  for (const PoseKey& key : timeline_.keys) {
-    take_farthest(key.pose->cage.positions);
-    if (key.pose->shape) take_farthest(*key.pose->shape);
+  for (const PoseKey& key : timeline_.keys) take_farthest(*key.pose);
+  base::WorkerPool pool;
+  for (const Channel& channel : timeline_.channels) {
+    shapes::ShapeReport report;
+    (void)vectors.of(channel.pose);
+    if (channel.pose->shape) (void)vectors.of(channel.pose->shape, nullptr, pool, report);
+    take_farthest(*channel.pose);
   }
-  add_channels(vectors);
+  if (!timeline_.channels.empty()) channels_ = vectors;
   if (!space_) return;
   std::span<const mesh::Vec3> turns;
   for (const PoseKey& key : timeline_.keys) {
@@ -143,23 +147,12 @@ Animation::Animation(const Timeline& timeline, VectorCache& vectors)
     anchors_.push_back(space_->logs().anchors_between(*vectors_[i], *vectors_[i + 1]));
 }
 
-void Animation::add_channels(VectorCache& vectors) {
-  base::WorkerPool pool;
-  for (const Channel& channel : timeline_.channels) {
-    shapes::ShapeReport report;
-    const SharedPose& pose = channel.pose;
-    channels_.push_back(
-        {pose, 0, vectors.of(pose), pose->shape ? vectors.of(pose->shape, nullptr, pool, report) : nullptr});
-    take_farthest(pose->cage.positions);
-    if (!pose->shape) continue;
-    take_farthest(*pose->shape);
-    shapes_ = vectors.shapes(pool);
-  }
-}
-
-void Animation::take_farthest(std::span<const mesh::Point> positions) {
-  for (const mesh::Point& p : positions)
-    for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
+void Animation::take_farthest(const WholePose& pose) {
+  const auto take = [this](std::span<const mesh::Point> positions) {
+    for (const mesh::Point& p : positions) farthest_ = std::max(farthest_, mesh::largest_abs(p));
+  };
+  take(pose.cage.positions);
+  if (pose.shape) take(*pose.shape);
 }
 
 void Animation::add_shapes(VectorCache& vectors) {
@@ -181,35 +174,24 @@ WholePose Animation::key(std::size_t key) const {
   return pose;
 }
 
-SharedPose Animation::base(double frame, bool linear) const {
-  WholePose pose;
-  if (timeline_.keys.empty()) {
-    if (space_) pose.cage = pose::rest_pose(space_->cage());
-    return std::make_shared<const WholePose>(std::move(pose));
-  }
+WholePose Animation::pose_of_keys(double frame, bool linear) const {
+  if (timeline_.keys.empty()) return {space_ ? pose::rest_pose(space_->cage()) : pose::Pose(), {}, {}};
   const Moment moment = moment_at(timeline_, frame);
-  if (moment.shares.size() > 1) pose = blend(moment, linear);
-  if (moment.shares.size() == 1 || !in_range(pose, farthest_)) pose = key(moment.from);
-  return std::make_shared<const WholePose>(std::move(pose));
+  if (moment.shares.size() == 1) return key(moment.shares.front().key);
+  WholePose pose = blend(moment, linear);
+  return in_range(pose, farthest_) ? pose : key(moment.from);
 }
 
-WholePose Animation::with_channels(const SharedPose& base, double frame, bool linear) const {
-  std::vector<MixTerm> terms;
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    terms.push_back(channels_[i]);
-    terms.back().weight = weight_at(timeline_, timeline_.channels[i], frame);
-  }
-  std::erase_if(terms, [](const MixTerm& term) { return term.weight == 0; });
-  if (terms.empty()) return *base;
-  MixTerm whole{base, 1};
-  if (space_) whole.cage = std::make_shared<const shapes::LogVector>(space_->vector(base->cage));
-  if (std::ranges::any_of(terms, [](const MixTerm& term) { return term.shape != nullptr; })) {
-    base::WorkerPool pool;
-    whole.shape = std::make_shared<const shapes::LogVector>(base->shape ? shapes_->vector(*base->shape, pool)
-                                                                        : shapes_->at_rest());
-  }
-  WholePose pose = mixed_upon(whole, terms, space_.get(), shapes_.get(), linear);
-  return in_range(pose, farthest_) ? pose : *base;
+WholePose Animation::at(double frame, bool linear, SharedPose* base) const {
+  if (timeline_.channels.empty()) return pose_of_keys(frame, linear);
+  const auto of_keys = std::make_shared<const WholePose>(pose_of_keys(frame, linear));
+  if (base) *base = of_keys;
+  std::vector<NamedPose> poses;
+  for (const Channel& channel : timeline_.channels)
+    poses.push_back({channel.name, channel.pose, weight_at(timeline_, channel, frame)});
+  VectorCache vectors = channels_;  // a copy, because mixed_upon() adds vectors
+  WholePose pose = mixed_upon(vectors, of_keys, poses, linear);
+  return in_range(pose, farthest_) ? pose : *of_keys;
 }
 
 WholePose Animation::blend(const Moment& moment, bool linear) const {
@@ -218,7 +200,7 @@ WholePose Animation::blend(const Moment& moment, bool linear) const {
   std::vector<ProbeTerm> probes;
   for (const auto& [key, factor] : moment.shares) probes.push_back({&keys[key].pose->probes, factor});
   pose.probes = blended_probes(probes);
-  if (!shape_vectors_.empty()) pose.shape = blended_shape(moment, linear);
+  if (shapes_) pose.shape = blended_shape(moment, linear);
   if (!space_) return pose;
   std::vector<shapes::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
@@ -302,43 +284,48 @@ SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> te
 
 namespace {
 
-bool is_rest_pose(const WholePose& pose, const shapes::PoseSpace* space) {
-  return !pose.shape && (!space || pose.cage.positions == space->cage().surface.positions) &&
-         std::ranges::all_of(pose.probes, [](const auto& p) { return p == pose::ProbePose{}; }) &&
-         std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
-}
-
-SharedShape shape_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::ShapeSpace* space,
+SharedShape shape_upon(VectorCache& vectors, const SharedShape& base, std::span<const ShapeTerm> shapes,
                        bool linear) {
-  std::vector<const MixTerm*> shapes;
-  for (const MixTerm& term : terms)
-    if (term.pose->shape) shapes.push_back(&term);
-  if (shapes.empty()) return base.pose->shape;
-  if (!base.pose->shape && shapes.size() == 1 && shapes.front()->weight == 1)
-    return shapes.front()->pose->shape;
-  std::vector<shapes::LogTerm> sum;
-  for (const MixTerm* term : shapes) sum.push_back({term->shape.get(), term->weight});
-  const shapes::AnchorWeights anchors = space->logs().anchors_from(*base.shape, sum);
-  sum.push_back({base.shape.get(), 1});
+  if (shapes.empty()) return base;
+  if (!base && shapes.size() == 1 && shapes.front().factor == 1) return shapes.front().shape;
   base::WorkerPool pool;
-  return blended(*space, sum, linear ? nullptr : &anchors, pool);
+  const auto vector_of = [&](const SharedShape& shape) {
+    shapes::ShapeReport report;
+    return vectors.of(shape, nullptr, pool, report).get();
+  };
+  std::vector<shapes::LogTerm> sum;
+  for (const ShapeTerm& term : shapes) sum.push_back({vector_of(term.shape), term.factor});
+  const shapes::ShapeSpace& space = *vectors.shapes(pool);
+  const shapes::AnchorWeights anchors = space.logs().anchors_from(*vector_of(base), sum);
+  sum.push_back({vector_of(base), 1});
+  return blended(space, sum, linear ? nullptr : &anchors, pool);
 }
 
 }  // namespace
 
-WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
-                     const shapes::ShapeSpace* shapes, bool linear) {
-  if (terms.empty()) return *base.pose;
-  if (terms.size() == 1 && terms[0].weight == 1 && is_rest_pose(*base.pose, poses)) return *terms[0].pose;
-  std::vector<ProbeTerm> probes{{&base.pose->probes, 1}};
-  for (const MixTerm& term : terms) probes.push_back({&term.pose->probes, term.weight});
-  WholePose pose{base.pose->cage, blended_probes(probes), shape_upon(base, terms, shapes, linear)};
-  if (!poses) return pose;
+WholePose mixed_upon(VectorCache& vectors, const SharedPose& base, std::span<const NamedPose> poses,
+                     bool linear) {
+  std::vector<ProbeTerm> probes{{&base->probes, 1}};
+  std::vector<ShapeTerm> shapes;
   std::vector<shapes::LogTerm> sum;
-  for (const MixTerm& term : terms) sum.push_back({term.cage.get(), term.weight});
-  const shapes::AnchorWeights anchors = poses->logs().anchors_from(*base.cage, sum);
-  sum.push_back({base.cage.get(), 1});
-  pose.cage = linear ? poses->linear(sum) : poses->pose(sum, anchors);
+  WholePose pose = *base;
+  for (const auto& [name, term, weight] : poses) {
+    if (weight == 0) continue;
+    probes.push_back({&term->probes, weight});
+    if (term->shape) shapes.push_back({term->shape, weight});
+    if (vectors.space()) sum.push_back({vectors.of(term).get(), weight});
+    pose.cage = term->cage;  // the result if this is the only pose, see below
+  }
+  pose.probes = blended_probes(probes);
+  pose.shape = shape_upon(vectors, base->shape, shapes, linear);
+  if (sum.empty()) return pose;
+  const shapes::PoseSpace& space = *vectors.space();
+  if (sum.size() == 1 && sum[0].factor == 1 && same_pose(base->cage, pose::rest_pose(space.cage())))
+    return pose;
+  const auto vector = vectors.of(base);
+  const shapes::AnchorWeights anchors = space.logs().anchors_from(*vector, sum);
+  sum.push_back({vector.get(), 1});
+  pose.cage = linear ? space.linear(sum) : space.pose(sum, anchors);
   return pose;
 }
 

@@ -36,19 +36,6 @@ void keep_flat(const shapes::ShapeSpace& space, std::span<const shapes::LogTerm>
 SharedShape mixed(const shapes::ShapeSpace& space, std::span<const ShapeTerm> terms, bool linear,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
-/// A pose with its weight in a mix.
-struct MixTerm {
-  SharedPose pose;
-  double weight;
-  std::shared_ptr<const shapes::LogVector> cage{};   ///< null without a cage
-  std::shared_ptr<const shapes::LogVector> shape{};  ///< null if no pose of the mix has a shape
-};
-/// Returns `base`, whose weight is ignored, plus the weighted poses. Probes are always blended in log space.
-/// If the base is the rest pose and a single pose has the weight 1, returns this pose unchanged. `poses` is
-/// null without a cage, `shapes` can be null if no pose of `terms` has a shape.
-WholePose mixed_upon(const MixTerm& base, std::span<const MixTerm> terms, const shapes::PoseSpace* poses,
-                     const shapes::ShapeSpace* shapes, bool linear);
-
 /// Returns messages about problems in the shapes, for the user.
 std::vector<std::string> shape_notes(std::span<const shapes::ShapeReport> reports);
 
@@ -98,6 +85,11 @@ private:
   std::map<const void*, KnownShape> known_shapes_;
 };
 
+/// Returns `base` plus the weighted poses, which must fit the cage and the model of `vectors`. Probes are
+/// always blended in log space. Upon the rest pose, a single pose of weight 1 is exact.
+WholePose mixed_upon(VectorCache& vectors, const SharedPose& base, std::span<const NamedPose> poses,
+                     bool linear);
+
 /// Computes the pose at any frame of a timeline. At a key, returns the key's exact pose. If this pose has no
 /// Pose::turns, sets the turns that are nearest to the turns of the previous key. Immutable and thread-safe.
 ///
@@ -117,24 +109,17 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const { return at(frame, timeline_.linear); }
-  /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting.
-  WholePose at(double frame, bool linear) const { return with_channels(base(frame, linear), frame, linear); }
-  /// Returns the pose of the pose keys, without the channels.
-  SharedPose base(double frame) const { return base(frame, timeline_.linear); }
-  /// Returns `base` plus the weighted poses of the channels.
-  WholePose with_channels(const SharedPose& base, double frame) const {
-    return with_channels(base, frame, timeline_.linear);
-  }
+  /// Returns the pose at a frame. Uses `linear` instead of the timeline's setting. If `base` is not null and
+  /// there are channels, `*base` gets the pose without them.
+  WholePose at(double frame, bool linear, SharedPose* base = nullptr) const;
 
 private:
-  SharedPose base(double frame, bool linear) const;
-  WholePose with_channels(const SharedPose& base, double frame, bool linear) const;
-  void add_channels(VectorCache& vectors);
+  WholePose pose_of_keys(double frame, bool linear) const;
   WholePose key(std::size_t key) const;
   WholePose blend(const Moment& moment, bool linear) const;
   SharedShape blended_shape(const Moment& moment, bool linear) const;
   void add_shapes(VectorCache& vectors);
-  void take_farthest(std::span<const mesh::Point> positions);
+  void take_farthest(const WholePose& pose);
 
   Timeline timeline_;
   double farthest_ = most_drawn;  // largest allowed coordinate: max(most_drawn, all keys' coordinates)
@@ -142,9 +127,9 @@ private:
   std::vector<std::shared_ptr<const shapes::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<shapes::AnchorWeights> anchors_;                     // one per interval between keys
 
-  std::vector<MixTerm> channels_;                     // without weights
-  std::shared_ptr<const shapes::ShapeSpace> shapes_;  // null if no key and no channel has a shape
-  std::vector<std::shared_ptr<const shapes::LogVector>> shape_vectors_;  // one per key; empty without shapes
+  VectorCache channels_;                              // with the vectors of the channels' poses
+  std::shared_ptr<const shapes::ShapeSpace> shapes_;  // null if no key has a shape
+  std::vector<std::shared_ptr<const shapes::LogVector>> shape_vectors_;
   std::vector<shapes::AnchorWeights> shape_anchors_;
   std::vector<std::string> notes_;
 };

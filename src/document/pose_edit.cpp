@@ -35,61 +35,21 @@ SharedPose mixed_upon(const Document& document, VectorCache& vectors, const Shar
   if (!library.mixes()) return base;
   vectors.follow(document.cage());
   vectors.follow_model(document.model().surface);
-  const auto& probes = document.probes().all;
-  base::WorkerPool pool;
-  bool shaped = false;
-  const auto shape_vector = [&](const SharedShape& shape) {
-    shapes::ShapeReport report;
-    return vectors.of(shape, nullptr, pool, report);
-  };
-  std::vector<MixTerm> terms;
-  for (const auto& [name, pose, weight] : library.poses) {
-    if (weight == 0) continue;
-    shaped |= pose->shape != nullptr;
-    terms.push_back({pose, weight, vectors.of(pose), pose->shape ? shape_vector(pose->shape) : nullptr});
-  }
-  WholePose unlocked = *base;
-  for (std::size_t i = 0; i < std::min(probes.size(), unlocked.probes.size()); ++i)
-    if (probes[i].locked) unlocked.probes[i] = {};
-  const MixTerm whole{std::make_shared<const WholePose>(std::move(unlocked)), 1, vectors.of(base),
-                      shaped ? shape_vector(base->shape) : nullptr};
-  const shapes::ShapeSpace* shapes = shaped ? vectors.shapes(pool).get() : nullptr;
-  WholePose pose = document::mixed_upon(whole, terms, vectors.space().get(), shapes, linear);
+  WholePose pose = document::mixed_upon(vectors, base, library.poses, linear);
   keep_locked(document, pose);
   return std::make_shared<const WholePose>(std::move(pose));
 }
 
-// If only one pose has a nonzero weight, and this weight is 1, returns the pose. Otherwise returns null.
-const NamedPose* only_mixed_pose(const PoseLibrary& library) {
-  const NamedPose* found = nullptr;
-  for (const NamedPose& named : library.poses) {
-    if (named.weight == 0) continue;
-    if (found || named.weight != 1) return nullptr;
-    found = &named;
-  }
-  return found;
-}
-
-// The named poses, with the weights that PoseSource::base does not contain.
-PoseLibrary weights_upon_base(const Document& document) {
-  PoseLibrary library = document.library();
-  if (document.source().kind != PoseSource::Kind::frame) return library;
-  for (NamedPose& named : library.poses)
-    named.weight = weight_at(document.timeline(), named.name, document.frame());
-  return library;
+// The weight of a named pose in the current pose, without the weight that PoseSource::base contains.
+double weight_upon_base(const Document& document, const NamedPose& named) {
+  const bool keyed = document.source().kind == PoseSource::Kind::frame;
+  return keyed ? weight_at(document.timeline(), named.name, document.frame()) : named.weight;
 }
 
 bool are_weights(const PoseLibrary& library) {
   return std::ranges::all_of(library.poses, [](const NamedPose& p) {
     return p.weight >= PoseLibrary::least_weight && p.weight <= PoseLibrary::largest_weight;
   });
-}
-
-// True if the current pose is that of the keys, possibly with other weights.
-bool is_on_keys(const Document& document) {
-  const PoseSource& source = document.source();
-  return source.pose && shows(document, *source.pose) &&
-         (source.keyed || (source.kind == PoseSource::Kind::mix && source.on_keys));
 }
 
 // Calls `change` for a copy of the state, and applies the new mix. If a weight or the new pose is out of
@@ -103,7 +63,9 @@ bool remix(Document& document, VectorCache& vectors, const std::string& label, C
   change(changed);
   const SharedPose pose = mixed_upon(document, vectors, base, changed.library, changed.timeline.linear);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
-  const bool on_keys = is_on_keys(document);
+  const PoseSource& source = document.source();
+  const bool on_keys = (source.keyed || (source.kind == PoseSource::Kind::mix && source.on_keys)) &&
+                       source.pose && shows(document, *source.pose);
   const DocumentState* last = document.history().before_last();
   record_step(document, label, step, step.kind == EditKind::mix && last && last->frame == document.frame());
   document.changed_library() = std::move(changed.library);
@@ -195,12 +157,14 @@ SharedPose unmixed_pose(const Document& document) {
 
 namespace {
 
-// Returns the pose upon which the weighted poses make the current pose. The current pose without the logs of
-// the weighted poses is not exact, because the cage is fitted to sums of logs. Therefore subtracts the logs
-// of the error as long as the error decreases.
+// Returns the pose upon which the weighted poses make the current pose: the rest pose, if it is exactly this
+// pose. The current pose without the logs of the weighted poses is not exact, because the cage is fitted to
+// sums of logs. Therefore subtracts the logs of the error as long as the error decreases.
 SharedPose unknown_base(const Document& document, VectorCache& vectors, const SharedPose& now,
                         const PoseLibrary& weighted) {
   const bool linear = document.timeline().linear;
+  const SharedPose rest = rest_of(document);
+  if (same_pose(*mixed_upon(document, vectors, rest, weighted, linear), *now)) return rest;
   PoseLibrary change = weighted;
   for (NamedPose& named : change.poses) named.weight = -named.weight;
   SharedPose base = mixed_upon(document, vectors, now, change, linear), best = base;
@@ -226,13 +190,11 @@ SharedPose pose_without(const Document& document, VectorCache& vectors, PoseLibr
   if (!weighted.mixes()) return now;
   const PoseSource& source = document.source();
   if (source.base && source.pose && shows(document, *source.pose)) {
-    const PoseLibrary upon_base = weights_upon_base(document);
     for (std::size_t i = 0; i < weighted.poses.size(); ++i)
-      weighted.poses[i].weight = upon_base.poses[i].weight - weighted.poses[i].weight;
+      weighted.poses[i].weight =
+          weight_upon_base(document, document.library().poses[i]) - weighted.poses[i].weight;
     return mixed_upon(document, vectors, source.base, weighted, document.timeline().linear);
   }
-  const NamedPose* alone = only_mixed_pose(weighted);
-  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
   return unknown_base(document, vectors, now, weighted);
 }
 
@@ -295,14 +257,11 @@ void mix_only(Document& document, std::size_t pose) {
 
 }  // namespace
 
-std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights) {
+std::vector<MixedPose> mixed_poses(const PoseLibrary& library) {
   std::vector<MixedPose> mix;
-  for (std::size_t i = 0; i < library.poses.size(); ++i) {
-    const double weight = weights.empty() ? library.poses[i].weight : weights[i];
+  for (const auto& [name, pose, weight] : library.poses)
     if (weight != 0)
-      mix.push_back({library.poses[i].name,
-                     std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight)});
-  }
+      mix.push_back({name, std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight)});
   return mix;
 }
 
@@ -397,11 +356,12 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
   return remix(document, vectors, label, change, {EditKind::mix, pose}, played);
 }
 
-bool clear_mix(Document& document, VectorCache& vectors) {
-  if (!document.library().mixes()) return true;
-  return remix(document, vectors, "clear weights", [](DocumentState& state) {
+bool clear_mix(Document& document, VectorCache& vectors, std::span<const double> played) {
+  if (played.empty() && !document.library().mixes()) return true;
+  const auto change = [](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight = 0;
-  });
+  };
+  return remix(document, vectors, "clear weights", change, {}, played);
 }
 
 SharedPose mixed_by(const Document& document, VectorCache& vectors, bool linear) {

@@ -42,8 +42,8 @@ void follow_library(const PoseLibrary& library, Timeline& timeline);
 /// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 
-/// Returns the poses with nonzero weights. `weights` replaces the weights of the library if it is not empty.
-std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights = {});
+/// Returns the poses with nonzero weights.
+std::vector<MixedPose> mixed_poses(const PoseLibrary& library);
 
 /// Adds the current pose, without the weighted poses, to the list with weight 1, and returns its index. The
 /// current pose and the other weights do not change. set_weight() explains `played`. If the list is full or
@@ -71,8 +71,8 @@ void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 /// poses in this pose. Otherwise `played` is empty.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
-/// Sets all weights to 0. Can return false like set_weight().
-bool clear_mix(Document& document, VectorCache& vectors);
+/// Sets all weights to 0. Otherwise like set_weight().
+bool clear_mix(Document& document, VectorCache& vectors, std::span<const double> played = {});
 /// Sets how poses and keys are blended: linearly or in log space. Can return false like set_weight().
 bool set_linear(Document& document, VectorCache& vectors, bool linear);
 /// Returns the mix, computed linearly if `linear`, otherwise in log space. If the current pose is not a

@@ -37,39 +37,6 @@ void include(Timeline& timeline, int frame) {
   timeline.last = std::max(timeline.last, frame);
 }
 
-void put_weight_key(Timeline& timeline, const NamedPose& named, int frame, double weight) {
-  check_frame(frame);
-  auto channel = std::ranges::find(timeline.channels, named.name, &Channel::name);
-  if (channel == timeline.channels.end())
-    channel = timeline.channels.insert(channel, {named.name, named.pose});
-  key_for(channel->keys, frame).weight =
-      std::clamp(weight, -Channel::largest_weight, Channel::largest_weight);
-  include(timeline, frame);
-}
-
-Timeline with_key(const Document& document, int frame, std::span<const double> weights,
-                  VectorCache* vectors) {
-  check_frame(frame);
-  Timeline timeline = document.timeline();
-  const auto& poses = document.library().poses;
-  PoseLibrary keyed = document.library();
-  std::vector<double> others(poses.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const double weight = weights.empty() ? poses[i].weight : weights[i];
-    const bool has_channel = channel_of(timeline, poses[i].name) != nullptr;
-    keyed.poses[i].weight = has_channel ? weight : 0;
-    others[i] = has_channel ? 0 : weight;
-    if (has_channel && weight_at(document.timeline(), poses[i].name, frame) != weight)
-      put_weight_key(timeline, poses[i], frame, weight);
-  }
-  VectorCache own;
-  PoseKey& key = key_for(timeline.keys, frame);
-  key.pose = pose_without(document, vectors ? *vectors : own, keyed);
-  key.mix = mixed_poses(document.library(), others);
-  include(timeline, frame);
-  return timeline;
-}
-
 template <class Key>
 void move_in(std::vector<Key>& keys, const std::string& name, std::span<const KeyPlace> places,
              std::span<const int> to) {
@@ -90,25 +57,47 @@ int current_frame(const Document& document) {
   return static_cast<int>(std::lround(document.frame()));
 }
 
+Timeline with_weight_key(Timeline timeline, const NamedPose& named, int frame, double weight) {
+  check_frame(frame);
+  auto channel = std::ranges::find(timeline.channels, named.name, &Channel::name);
+  if (channel == timeline.channels.end())
+    channel = timeline.channels.insert(channel, {named.name, named.pose});
+  key_for(channel->keys, frame).weight =
+      std::clamp(weight, -Channel::largest_weight, Channel::largest_weight);
+  include(timeline, frame);
+  return timeline;
+}
+
+Timeline with_key(const Document& document, int frame, std::span<const double> weights,
+                  VectorCache* vectors) {
+  check_frame(frame);
+  Timeline timeline = document.timeline();
+  const auto& poses = document.library().poses;
+  PoseLibrary keyed = document.library(), others = keyed;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double weight = weights.empty() ? poses[i].weight : weights[i];
+    const bool has_channel = channel_of(timeline, poses[i].name) != nullptr;
+    keyed.poses[i].weight = has_channel ? weight : 0;
+    others.poses[i].weight = has_channel ? 0 : weight;
+    if (has_channel && weight_at(document.timeline(), poses[i].name, frame) != weight)
+      timeline = with_weight_key(std::move(timeline), poses[i], frame, weight);
+  }
+  VectorCache own;
+  PoseKey& key = key_for(timeline.keys, frame);
+  key.pose = pose_without(document, vectors ? *vectors : own, keyed);
+  key.mix = mixed_poses(others);
+  include(timeline, frame);
+  return timeline;
+}
+
 void set_key(Document& document, int frame, std::span<const double> weights, VectorCache* vectors) {
   put_timeline(document, with_key(document, frame, weights, vectors), "set key");
 }
 
-void add_key_to_edit(Document& document, int frame, std::span<const double> weights, VectorCache* vectors) {
-  document.changed_timeline() = with_key(document, frame, weights, vectors);
-  document.changed_history().extend_last();
-}
-
 void set_weight_key(Document& document, std::size_t pose, int frame, double weight) {
-  Timeline timeline = document.timeline();
   const NamedPose& named = document.library().poses[pose];
-  put_weight_key(timeline, named, frame, weight);
-  put_timeline(document, std::move(timeline), "set key of " + named.name);
-}
-
-void add_weight_key_to_edit(Document& document, std::size_t pose, int frame, double weight) {
-  put_weight_key(document.changed_timeline(), document.library().poses[pose], frame, weight);
-  document.changed_history().extend_last();
+  put_timeline(document, with_weight_key(document.timeline(), named, frame, weight),
+               "set key of " + named.name);
 }
 
 void set_camera_key(Document& document, int frame, const CameraPose& camera) {

@@ -12,20 +12,18 @@ namespace viete::document {
 /// Returns the current frame, rounded to an integer.
 int current_frame(const Document& document);
 
-/// Stores the current pose as a key. If the frame has a key, keeps the key's easing. Extends the playback
-/// range to the frame. `weights` are the weights of the named poses in the current pose; if empty, uses the
-/// weights of the pose list. The key does not contain poses with keyed weights: where such a weight differs
-/// from its channel, it gets a key, too. `vectors` may be null. If the timeline is full or the frame is out
-/// of range, throws base::Error.
+/// Returns the timeline with the current pose as a key. If the frame has a key, keeps the key's easing.
+/// Extends the playback range to the frame. `weights` are the weights of the named poses in the current pose;
+/// if empty, uses the weights of the pose list. The key does not contain poses with keyed weights: where such
+/// a weight differs from its channel, it gets a key, too. `vectors` may be null. If the timeline is full or
+/// the frame is out of range, throws base::Error.
+Timeline with_key(const Document& document, int frame, std::span<const double> weights = {},
+                  VectorCache* vectors = nullptr);
+/// Returns the timeline with a key of the pose's weight in its channel. Otherwise like with_key().
+Timeline with_weight_key(Timeline timeline, const NamedPose& pose, int frame, double weight);
 void set_key(Document& document, int frame, std::span<const double> weights = {},
              VectorCache* vectors = nullptr);
-/// Like set_key(), but extends the last edit.
-void add_key_to_edit(Document& document, int frame, std::span<const double> weights = {},
-                     VectorCache* vectors = nullptr);
-/// Sets a key of a named pose's weight in its channel. Otherwise like set_key().
 void set_weight_key(Document& document, std::size_t pose, int frame, double weight);
-/// Like set_weight_key(), but extends the last edit.
-void add_weight_key_to_edit(Document& document, std::size_t pose, int frame, double weight);
 /// Sets a camera key. Adds whole turns to the yaw until the yaw is nearest to the previous key's yaw.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
 /// Replaces all camera keys by a full turn about the up axis, at constant speed during the playback range.

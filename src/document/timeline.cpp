@@ -9,24 +9,21 @@ namespace viete::document {
 namespace {
 
 // The frames and easings of keys. The easing of cameras is smooth.
-class Track {
-public:
+struct Track {
   template <class Key>
   Track(const std::vector<Key>& keys, bool closes) : count(keys.size()), closed(closes) {
     for (const Key& key : keys) {
-      frames_.push_back(key.frame);
-      if constexpr (requires { key.easing; }) easings_.push_back(key.easing);
+      frames.push_back(key.frame);
+      if constexpr (requires { key.easing; }) easings.push_back(key.easing);
     }
   }
-  double frame(std::size_t i) const { return frames_[i]; }
-  Easing easing(std::size_t i) const { return easings_.empty() ? Easing::smooth : easings_[i]; }
+  double frame(std::size_t i) const { return frames[i]; }
+  Easing easing(std::size_t i) const { return easings.empty() ? Easing::smooth : easings[i]; }
 
   std::size_t count;
   bool closed;  // the motion continues from the last key to the equal first key
-
-private:
-  std::vector<int> frames_;
-  std::vector<Easing> easings_;
+  std::vector<int> frames;
+  std::vector<Easing> easings;
 };
 
 // The interval from a key to the next key.

@@ -172,11 +172,19 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Frames at which linear pieces begin or end. Each frame has a morph target, except if the model rests in it.
+// A morph target, and its weight at a frame.
+struct MorphTarget {
+  std::string name;
+  std::function<double(double frame)> weight;
+  std::function<std::vector<mesh::Point>()> positions;
+};
+
+// Frames at which linear pieces begin or end. Each frame has a morph target, except if the model rests in it
+// or if the targets are keyed shapes.
 struct MorphPlan {
-  std::vector<double> frames;        // in ascending order
-  std::vector<std::size_t> targets;  // for each target, an index into `frames`
-  std::vector<char> moves;           // for each vertex, true if the vertex leaves its rest position
+  std::vector<double> frames;  // in ascending order
+  std::vector<MorphTarget> targets;
+  std::vector<char> moves;  // for each vertex, true if the vertex leaves its rest position
 
   double bytes(double of_vertex) const {
     const auto moving = static_cast<double>(std::ranges::count(moves, 1)),
@@ -189,36 +197,28 @@ std::string frame_name(double frame) {
   return base::formatted("frame %.6g", frame);
 }
 
-// A shape as a morph target, and its weight at a frame.
-struct ShapeTarget {
-  std::string name;
-  const std::vector<mesh::Point>& positions;
-  std::function<double(double frame)> weight;
-};
-
 // The keyed shapes, if their weights have keys and the positions are linear in the weights: with linear
 // interpolation, without a cage and probes. Otherwise returns nothing.
-std::vector<ShapeTarget> shape_targets(const AnimationExport& what) {
+std::vector<MorphTarget> shape_targets(const AnimationExport& what) {
   const document::Timeline& timeline = what.timeline;
   const auto is_pin = [](const pose::Probe& probe) { return probe.pin.has_value(); };
   if (!timeline.linear || timeline.channels.empty() || what.model.cage->element_count() > 0 ||
       !std::ranges::all_of(what.model.probes.all, is_pin))
     return {};
-  std::vector<ShapeTarget> targets;
+  std::vector<MorphTarget> targets;
+  const auto add = [&](const std::string& name, const document::SharedPose& pose, auto weight) {
+    if (pose->shape) targets.push_back({name, weight, [pose] { return *pose->shape; }});
+  };
   for (std::size_t i = 0; i < timeline.keys.size(); ++i) {
     const auto share = [&timeline, i](double frame) {
       const auto shares = moment_at(timeline, frame).shares;
       const auto found = std::ranges::find(shares, i, &document::KeyShare::key);
       return found == shares.end() ? 0 : found->factor;
     };
-    const document::PoseKey& key = timeline.keys[i];
-    if (key.pose->shape) targets.push_back({frame_name(key.frame), *key.pose->shape, share});
+    add(frame_name(timeline.keys[i].frame), timeline.keys[i].pose, share);
   }
   for (const document::Channel& channel : timeline.channels)
-    if (channel.pose->shape)
-      targets.push_back({channel.name, *channel.pose->shape, [&timeline, &channel](double frame) {
-                           return weight_at(timeline, channel, frame);
-                         }});
+    add(channel.name, channel.pose, [&](double frame) { return weight_at(timeline, channel, frame); });
   return targets;
 }
 
@@ -236,10 +236,7 @@ constexpr double least_tolerance = 1e-7;  // about the rounding error of floats
 class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
-      : what_(what),
-        shapes_(shape_targets(what)),
-        share_(shapes_.empty() ? std::max(what.tolerance, least_tolerance) : least_tolerance),
-        tolerance_(share_ * std::max(diagonal_of(what), 1e-300)) {
+      : what_(what), diagonal_(std::max(diagonal_of(what), 1e-300)) {
     if (progress) progress->section(0, 0.05);
     model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
                    std::min(fast_frame_error, 0.1 * what.tolerance), sample_frames(what.frames()), pool,
@@ -247,16 +244,19 @@ public:
   }
 
   MorphPlan plan(base::Progress* progress) {
-    if (!shapes_.empty()) return plan_of_shapes();
-    if (progress) progress->section(0.05, 0.7);
     const auto& rest = what_.model.model->positions;
-    MorphPlan plan{{}, {}, std::vector<char>(rest.size(), 0)};
-    StraightLines lines(tolerance_, mesh::bounds(rest).center());
+    MorphPlan plan{{}, shape_targets(what_), std::vector<char>(rest.size(), 0)};
+    if (!plan.targets.empty()) return plan_of_shapes(std::move(plan));
+    if (progress) progress->section(0.05, 0.7);
+    const double tolerance = tolerance_ * diagonal_;
+    StraightLines lines(tolerance, mesh::bounds(rest).center());
     const auto is_still = [&](const mesh::Point& p, const mesh::Point& q) {
-      return mesh::norm(p - q) <= tolerance_;
+      return mesh::norm(p - q) <= tolerance;
     };
     const auto take = [&](double frame, std::span<const mesh::Point> pose) {
-      if (!std::ranges::equal(pose, rest, is_still)) plan.targets.push_back(plan.frames.size());
+      if (!std::ranges::equal(pose, rest, is_still))
+        plan.targets.push_back({frame_name(frame), [frame](double at) { return double(at == frame); },
+                                [this, frame] { return at(frame); }});
       plan.frames.push_back(frame);
       check_size(plan);
       lines.start(frame, pose);
@@ -266,8 +266,7 @@ public:
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double frame = samples[i].frame;
       auto pose = at(frame);
-      check_floats(pose, frame);
-      take_moves(plan, pose, tolerance_);
+      take_moves(plan, pose, frame, tolerance);
       if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
         take(samples[i - 1].frame, before);
         lines.lead_to(frame, pose);
@@ -286,17 +285,15 @@ public:
     formats::MorphMotion motion;
     motion.name = what_.model.file.stem().string();
     motion.normals = what_.normals;
-    for (const double frame : plan.frames) motion.seconds.push_back((frame - what_.first) / what_.rate);
-    motion.moves = plan.moves;
-    if (!shapes_.empty()) return motion_of_shapes(plan, std::move(motion));
-    const std::size_t count = plan.targets.size();
-    motion.weights.assign(plan.frames.size() * count, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-      motion.targets.push_back(frame_name(plan.frames[plan.targets[i]]));
-      motion.weights[plan.targets[i] * count + i] = 1;
+    for (const MorphTarget& target : plan.targets) motion.targets.push_back(target.name);
+    for (const double frame : plan.frames) {
+      motion.seconds.push_back((frame - what_.first) / what_.rate);
+      for (const MorphTarget& target : plan.targets)
+        motion.weights.push_back(static_cast<float>(target.weight(frame)));
     }
+    motion.moves = plan.moves;
     motion.positions = [&](std::size_t target) {
-      auto pose = at(plan.frames[plan.targets[target]]);
+      auto pose = plan.targets[target].positions();
       for (std::size_t v = 0; v < pose.size(); ++v)
         if (!plan.moves[v]) pose[v] = what_.model.model->positions[v];
       return pose;
@@ -316,7 +313,8 @@ public:
   FrameNotes& notes() { return notes_; }
 
 private:
-  void take_moves(MorphPlan& plan, std::span<const mesh::Point> pose, double still) {
+  void take_moves(MorphPlan& plan, std::span<const mesh::Point> pose, double frame, double still) {
+    check_floats(pose, frame);
     const auto& rest = what_.model.model->positions;
     for (std::size_t v = 0; v < pose.size(); ++v) {
       plan.moves[v] |= !(mesh::norm(pose[v] - rest[v]) <= still);
@@ -324,25 +322,12 @@ private:
     }
   }
 
-  MorphPlan plan_of_shapes() {
-    MorphPlan plan{{}, {}, std::vector<char>(what_.model.model->positions.size(), 0)};
+  MorphPlan plan_of_shapes(MorphPlan plan) {
+    tolerance_ = least_tolerance;
     for (const Sample& sample : samples_of(what_)) plan.frames.push_back(sample.frame);
-    for (const ShapeTarget& shape : shapes_) {
-      check_floats(shape.positions, what_.first);
-      take_moves(plan, shape.positions, 0);
-      plan.targets.push_back(plan.targets.size());
-    }
+    for (const MorphTarget& shape : plan.targets) take_moves(plan, shape.positions(), what_.first, 0);
     check_size(plan);
     return plan;
-  }
-
-  formats::MorphMotion motion_of_shapes(const MorphPlan& plan, formats::MorphMotion motion) const {
-    for (const ShapeTarget& shape : shapes_) motion.targets.push_back(shape.name);
-    for (const double frame : plan.frames)
-      for (const ShapeTarget& shape : shapes_)
-        motion.weights.push_back(static_cast<float>(shape.weight(frame)));
-    motion.positions = [this](std::size_t target) { return shapes_[target].positions; };
-    return motion;
   }
 
   std::vector<mesh::Point> at(double frame) {
@@ -353,9 +338,9 @@ private:
 
   // The tolerance, and the rounding of the offsets if it is not negligible.
   std::string error_text() const {
-    const double rounding = 0x1p-23 * farthest_;
-    if (rounding < 0.05 * tolerance_) return base::formatted("%.6g", share_);
-    return at_most(share_ + rounding * share_ / tolerance_);
+    const double rounding = 0x1p-23 * farthest_ / diagonal_;
+    if (rounding < 0.05 * tolerance_) return base::formatted("%.6g", tolerance_);
+    return at_most(tolerance_ + rounding);
   }
 
   // If the targets are too large, throws base::Error. The GLB format allows at most 4 GB.
@@ -371,10 +356,9 @@ private:
   }
 
   const AnimationExport& what_;
-  std::vector<ShapeTarget> shapes_;  // see shape_targets()
-  double share_;                     // the tolerance / diagonal of the model
-  double tolerance_;                 // in the model's unit
-  double farthest_ = 0;              // the largest change of a coordinate by a pose, in the model's unit
+  double diagonal_;                                                // of the model
+  double tolerance_ = std::max(what_.tolerance, least_tolerance);  // relative to the diagonal
+  double farthest_ = 0;  // the largest change of a coordinate by a pose, in the model's unit
   std::optional<AnimatedModel> model_;
   FrameNotes notes_;
 };

@@ -366,12 +366,11 @@ void check_channels(const JsonReader& time, const document::DocumentState& state
   const auto& channels = state.timeline.channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const std::string& name = channels[i].name;
-    const auto fail = [&](const char* problem) {
-      time.at("weights").item(i).at("pose").fail(problem + formats::in_quotes(name));
-    };
-    if (name.empty() || std::ranges::count(state.library.poses, name, &document::NamedPose::name) == 0)
-      fail("there is no pose with the name ");
-    if (channel_of(state.timeline, name) != &channels[i]) fail("there are already keys for the pose ");
+    const bool exists =
+        !name.empty() && std::ranges::count(state.library.poses, name, &document::NamedPose::name) > 0;
+    if (exists && channel_of(state.timeline, name) == &channels[i]) continue;
+    const char* problem = exists ? "there are already keys for the pose " : "there is no pose with the name ";
+    time.at("weights").item(i).at("pose").fail(problem + formats::in_quotes(name));
   }
 }
 

@@ -27,10 +27,6 @@ struct Row {
   std::string channel;  // empty for poses and cameras
   bool cameras = false;
   float y = 0;  // the middle of the row
-
-  bool touches(float from, float to) const {
-    return y + 0.5f * row_height > from && y - 0.5f * row_height < to;
-  }
 };
 
 // Maps frames to the screen.
@@ -70,17 +66,16 @@ std::vector<Row> rows_of(const document::Document& document) {
 // Draws the names of the rows. Returns the distance by which the rows are scrolled.
 float row_names(const Context& ui, std::span<const Row> rows, ImVec2 low, float height) {
   ImGui::SetCursorScreenPos(low);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  const float above = 0.5f * (row_height - ImGui::GetTextLineHeight());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, above});
   ImGui::BeginChild("rows", {names_width, height});
   const float room = ImGui::GetContentRegionAvail().x - 6;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string name = "time/row/" + std::to_string(i), shown = shortened(rows[i].label, room);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton(name.c_str(), {room, row_height});
-    record(ui, name);
+    const std::string shown = shortened(rows[i].label, room);
+    ImGui::SetCursorPosY(static_cast<float>(i) * row_height + above);
+    text_in(ui.colors.faint, shown);
+    record(ui, "time/row/" + std::to_string(i));
     if (shown != rows[i].label) hint(rows[i].label);
-    const float top = at.y + 0.5f * (row_height - ImGui::GetTextLineHeight());
-    ImGui::GetWindowDrawList()->AddText({at.x, top}, ui.colors.faint, shown.c_str());
   }
   const float scrolled = ImGui::GetScrollY();
   ImGui::EndChild();
@@ -210,7 +205,7 @@ void follow_mouse(const Track& t) {
   const auto [top, bottom] = box_ends(t);
   std::vector<std::string> rows;
   for (const Row& row : t.rows)
-    if (row.touches(top, bottom)) rows.push_back(row.channel);
+    if (row.y + 0.5f * row_height > top && row.y - 0.5f * row_height < bottom) rows.push_back(row.channel);
   workspace::drag_time(w, frame, rows);
   if (!down) workspace::release_time(w);
 }
@@ -279,7 +274,7 @@ void timeline_track(const Context& ui, ImVec2 low, ImVec2 high) {
   const auto count = static_cast<float>(track.rows.size());
   const bool named = !track.timeline().channels.empty();
   ui.workspace.preferences.layout.more_timeline =
-      named ? std::max(0.0f, std::min(count, most_rows) * row_height - least_rows_height) : 0;
+      std::max(0.0f, std::min(count, most_rows) * row_height - least_rows_height);
   const float scrolled = named ? row_names(ui, track.rows, {low.x, top}, height) : 0;
   if (named) track.low.x += names_width;
   for (std::size_t i = 0; i < track.rows.size(); ++i)

@@ -27,8 +27,9 @@ const TimedPose& timed_pose(const Workspace& w) {
   const auto& animation = w.playback.animation;
   const double frame = w.document.frame();
   if (known.animation == animation && known.frame == frame) return known;
-  known = {animation, frame, animation->base(frame)};
-  known.pose = std::make_shared<const document::WholePose>(animation->with_channels(known.base, frame));
+  known = {animation, frame};
+  const bool linear = w.playback.timeline.linear;
+  known.pose = std::make_shared<const document::WholePose>(animation->at(frame, linear, &known.base));
   return known;
 }
 
@@ -40,11 +41,6 @@ bool is_shown(const Workspace& w) {
 
 bool has_keyed_pose(const Workspace& w) {
   return shows(w.document, *timed_pose(w).pose);
-}
-
-// The base of PoseSource::Kind::frame. Null without keyed weights.
-document::SharedPose base_of_frame(const Workspace& w) {
-  return w.document.timeline().channels.empty() ? nullptr : timed_pose(w).base;
 }
 
 // Goes to a frame without storing an unkeyed pose.
@@ -86,7 +82,7 @@ void take_as_keyed(Workspace& w) {
   using Kind = document::PoseSource::Kind;
   if (source_of(document) != Kind::mix && !source.kept) {
     source.kind = Kind::frame;
-    source.base = base_of_frame(w);
+    source.base = timed_pose(w).base;
   }
   source.pose = shared_pose(document);
   source.keyed = true;
@@ -102,21 +98,22 @@ bool is_keyed_mix(const Workspace& w) {
   return std::ranges::equal(w.document.library().poses, keyed_weights(w), same);
 }
 
-// Sets a key after an edit: of the weight if a slider was moved, otherwise of the pose. Returns true if the
-// key contains the edit.
+// Sets a key after an edit: of the weight if a slider was moved, otherwise of the pose. Returns true if it
+// has set a key of the pose.
 bool set_auto_key(Workspace& w) {
   document::Document& document = w.document;
   const int frame = current_frame(document);
+  const auto step = document.history().last_step();
+  const bool slid = step && step->kind == document::EditKind::mix;
   try {
-    const auto step = document.history().last_step();
-    if (step && step->kind == document::EditKind::mix) {
-      add_weight_key_to_edit(document, step->of, frame, weight_upon_keys(w, step->of));
-    } else {
-      add_key_to_edit(document, frame, shown_weights(w), &w.playback.vectors);
-    }
+    document.changed_timeline() =
+        slid ? with_weight_key(document.timeline(), document.library().poses[step->of], frame,
+                               weight_upon_keys(w, step->of))
+             : with_key(document, frame, shown_weights(w), &w.playback.vectors);
+    document.changed_history().extend_last();
     see(w);
     animation_of(w);
-    return !step || step->kind != document::EditKind::mix || is_keyed_mix(w);
+    return !slid;
   } catch (const base::Error& error) {
     w.messages.error(error.what(), {"key"});
     return false;
@@ -137,9 +134,9 @@ void follow_edits(Workspace& w) {
   const bool keyed = p.auto_key && edited && set_auto_key(w);
   if (has_keyed_pose(w)) {
     take_as_keyed(w);
-  } else if (keyed) {
+  } else if (keyed || is_keyed_mix(w)) {
     show_keys(w);
-  } else if (retimed && (is_shown(w) || is_keyed_mix(w))) {
+  } else if (retimed && is_shown(w)) {
     show_frame(w, w.document.frame());
   } else {
     p.playing = false;
@@ -184,6 +181,8 @@ std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
   const document::Document& document = w.document;
   if (is_editing_cage(document)) return nullptr;
   if (is_current(w) && (p.animation || !p.timeline.has_poses())) return p.animation;
+  p.by_time = {};
+  p.animation = nullptr;  // owns poses, whose vectors would stay in the cache
   p.vectors.follow(document.cage());
   p.vectors.follow_model(document.model().surface);
   p.cage = document.cage();
@@ -230,7 +229,7 @@ double weight_upon_keys(const Workspace& w, std::size_t pose) {
 
 void show_keys(Workspace& w) {
   if (animation_of(w))
-    show_pose(w.document, *timed_pose(w).pose, document::PoseSource::Kind::frame, base_of_frame(w));
+    show_pose(w.document, *timed_pose(w).pose, document::PoseSource::Kind::frame, timed_pose(w).base);
 }
 
 void replace_pose(Workspace& w, const std::function<void()>& edit) {

@@ -19,7 +19,10 @@ constexpr Condition can_pose{
     "Open a cage, add a probe or import shapes first. Leave cage editing."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
                                     "Choose a pose in the list first. Add pose adds the current pose."};
-constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library().mixes(); },
+constexpr Condition has_mix{[](const Workspace& w) {
+                              const auto is_set = [](double weight) { return weight != 0; };
+                              return can_pose(w) && std::ranges::any_of(shown_weights(w), is_set);
+                            },
                             "All weights are 0 %: move the slider of a pose first."};
 constexpr Condition has_time{[](const Workspace& w) {
                                return !w.document.timeline().empty() && !is_editing_cage(w.document) &&
@@ -86,9 +89,7 @@ void set_keys(Workspace& w, const auto& set, const std::string& done) {
   });
 }
 
-template <class Key>
-std::string key_message(const std::vector<Key>& keys, const std::string& what, int frame) {
-  const bool replaces = std::ranges::find(keys, frame, &Key::frame) != keys.end();
+std::string key_message(bool replaces, const std::string& what, int frame) {
   const std::string at = std::to_string(frame);
   return replaces ? what + " at frame " + at + " replaced; undo restores the old one."
                   : what + " set at frame " + at + '.';
@@ -108,8 +109,7 @@ void key_weight(Workspace& w, std::size_t pose) {
     set_weight_key(w.document, pose, frame, weight);
     w.view.time.selected = {place};
   };
-  const std::vector<document::WeightKey> none;
-  set_keys(w, set, key_message(channel ? channel->keys : none, "Key of " + name, frame));
+  set_keys(w, set, key_message(key, "Key of " + name, frame));
 }
 
 void key_pose(Workspace& w) {
@@ -121,7 +121,7 @@ void key_pose(Workspace& w) {
     if (!w.document.timeline().channels.empty()) show_keys(w);
     w.view.time.selected = {frame};
   };
-  set_keys(w, set, key_message(w.document.timeline().keys, "Key", frame));
+  set_keys(w, set, key_message(key_at(w.document.timeline(), frame), "Key", frame));
 }
 
 void key_camera(Workspace& w) {
@@ -130,7 +130,7 @@ void key_camera(Workspace& w) {
     set_camera_key(w.document, frame, w.view.camera.pose());
     w.view.time.selected = {frame};
   };
-  set_keys(w, set, key_message(w.document.timeline().cameras, "Camera key", frame));
+  set_keys(w, set, key_message(key_at(w.document.timeline().cameras, frame), "Camera key", frame));
 }
 
 void key_turntable(Workspace& w) {
@@ -191,8 +191,9 @@ void add_pose_commands(CommandTable& table) {
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",
-            has_mix,
-            [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
+            has_mix, [](Workspace& w) {
+              change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors, shown_weights(w)); });
+            });
   table.add("key_weight", "Key weight",
             "Set a key of the chosen pose's weight at this frame, or delete it. The pose is then animated on "
             "its own row.",

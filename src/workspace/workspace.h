@@ -45,7 +45,7 @@ namespace viete::workspace {
 struct TimedPose {
   std::shared_ptr<const document::Animation> animation{};
   double frame = 0;
-  document::SharedPose base{};  ///< the pose without the keyed weights
+  document::SharedPose base{};  ///< the pose without the keyed weights; null without keyed weights
   document::SharedPose pose{};
 };
 

@@ -220,6 +220,44 @@ TEST_CASE("a_slider_moved_without_a_key_is_an_unkeyed_pose") {
   CHECK(p.weight(0) == doctest::Approx(0.9));
 }
 
+TEST_CASE("clear_weights_clears_the_sliders_that_show_keyed_weights") {
+  for (const bool auto_key : {false, true}) {
+    CAPTURE(auto_key);
+    Weighted p;
+    p.put_keys({{1, 0, Easing::constant_speed}, {11, 1}});
+    p.w.playback.auto_key = auto_key;
+    p.go_to(1);
+    CHECK_FALSE(test::run_command(p.w, "clear_mix"));
+    p.go_to(6);
+    REQUIRE(test::run_command(p.w, "clear_mix"));
+    p.pass();
+    CHECK(p.weight(0) == 0);
+    CHECK(p.is_turned_by(0));
+    CHECK(has_unkeyed_pose(p.w) != auto_key);
+    CHECK(p.timeline().channels[0].keys.size() == (auto_key ? 3 : 2));
+    CHECK(p.edits() == 1);
+    p.take_back();
+    CHECK(p.weight(0) == doctest::Approx(0.5));
+  }
+}
+
+TEST_CASE("a_key_of_a_weight_does_not_move_the_camera_to_its_keys") {
+  Weighted p;
+  p.put_pose_keys();
+  CameraPose camera = p.w.view.camera.pose();
+  set_camera_key(p.document(), 1, camera);
+  p.pass();
+  p.go_to(6);
+  camera.yaw += 1;
+  p.w.view.camera.set_pose(camera);
+  p.weigh(0, 0.37);
+  p.weigh(1, 0.6);
+  p.press_i(1);
+  p.press_i(0);
+  CHECK_FALSE(has_unkeyed_pose(p.w));
+  CHECK(p.w.view.camera.pose() == camera);
+}
+
 TEST_CASE("a_key_of_the_pose_does_not_contain_keyed_weights") {
   Weighted p;
   p.put_keys({{1, 0, Easing::constant_speed}, {11, 1, Easing::constant_speed}, {21, 0}});
