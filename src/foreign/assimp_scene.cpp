@@ -18,11 +18,11 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/file_bytes.h"
 #include "base/picture.h"
 #include "base/text.h"
 #include "foreign/readers.h"
 #include "formats/materials.h"
-#include "formats/source.h"
 
 namespace viete::foreign {
 
@@ -37,7 +37,7 @@ using Vector = aiVector3t<double>;
 class FolderFiles final : public Assimp::DefaultIOSystem {
 public:
   explicit FolderFiles(const fs::path& file)
-      : file_(fs::weakly_canonical(file)), folder_(formats::folder_of(file)) {}
+      : file_(fs::weakly_canonical(file)), folder_(base::folder_of(file)) {}
 
   bool Exists(const char* file) const override { return is_allowed(file); }
   Assimp::IOStream* Open(const char* file, const char*) override {  // never for writing
@@ -46,7 +46,7 @@ public:
 
   bool is_allowed(const fs::path& file) const {
     std::error_code code;
-    return formats::is_file_below(folder_, file) || fs::weakly_canonical(file, code) == file_;
+    return base::is_file_below(folder_, file) || fs::weakly_canonical(file, code) == file_;
   }
 
 private:
@@ -103,8 +103,8 @@ public:
   MaterialReader(const aiScene& scene, const fs::path& file, const FolderFiles& files,
                  formats::Attributes& attributes)
       : scene_(scene),
-        folder_(formats::folder_of(file)),
-        like_blender_(formats::extension_of(file) == "fbx" || formats::extension_of(file) == "blend"),
+        folder_(base::folder_of(file)),
+        like_blender_(base::extension_of(file) == "fbx" || base::extension_of(file) == "blend"),
         files_(files),
         attributes_(attributes) {}
 
@@ -204,7 +204,7 @@ private:
   // Paths in files are often absolute, from another computer.
   std::optional<formats::ImageFile> find_image(const std::string& name) const {
     if (const aiTexture* texture = scene_.GetEmbeddedTexture(name.c_str())) return embedded(*texture, name);
-    const fs::path path = formats::path_beside(folder_, name);
+    const fs::path path = base::path_beside(folder_, name);
     for (const fs::path& candidate :
          {path, folder_ / path.filename(), folder_ / "textures" / path.filename()})
       if (files_.is_allowed(candidate))
@@ -225,7 +225,7 @@ private:
     const std::string shown = texture.mFilename.length > 0 ? texture.mFilename.C_Str() : name;
     return {{},
             std::make_shared<const std::string>(std::move(bytes)),
-            formats::path_beside({}, shown).filename().string()};
+            base::path_beside({}, shown).filename().string()};
   }
 
   const aiScene& scene_;
@@ -474,7 +474,7 @@ Scene scene_by_assimp(const fs::path& file) {
   auto* const files = new FolderFiles(file);  // the importer owns this object
   importer.SetIOHandler(files);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const std::string extension = formats::extension_of(file);
+  const std::string extension = base::extension_of(file);
   if (!importer.IsExtensionSupported("." + extension))
     throw std::runtime_error("this version of Assimp has no reader for ." + extension);
   const aiScene* const from = importer.ReadFile(file.string(), 0);

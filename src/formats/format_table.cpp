@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/point_cache.h"
@@ -101,13 +102,13 @@ const Format* format_by_extension(std::string_view extension) {
 }
 
 const Format* find_format(const std::filesystem::path& file) {
-  return format_by_extension(std::string_view(extension_of(file)));
+  return format_by_extension(std::string_view(base::extension_of(file)));
 }
 
 const Format& surface_format(const std::filesystem::path& file) {
   const Format* found = find_format(file);
   if (found && found->write) return *found;
-  const std::string extension = extension_of(file);
+  const std::string extension = base::extension_of(file);
   throw base::Error(file.string(),
                     extension.empty() ? "the file name has no extension" : "unknown extension ." + extension,
                     "use " + format_extensions(holds_surface));

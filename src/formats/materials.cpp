@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/picture.h"
 #include "base/text.h"
 #include "formats/source.h"
@@ -30,7 +31,7 @@ std::string bytes_of(const ImageFile& image) {
   if (image.bytes) return *image.bytes;
   if (image.path.empty())
     throw base::Error(place_of(image), "the image is missing", "export the model again");
-  return std::string(FileBytes(image.path, nullptr, most_image_bytes).view());
+  return std::string(base::FileBytes(image.path, nullptr, most_image_bytes).view());
 }
 
 void set_bytes(ImageFile& image, std::string bytes) {
@@ -142,8 +143,8 @@ fs::path file_name(const ImageFile& image, std::string_view bytes) {
 
 // Returns the path relative to the folder, or nullopt if the file is not in the folder or below.
 std::optional<std::string> relative_to(const fs::path& folder, const fs::path& file) {
-  if (file.empty() || !is_file_below(folder, file)) return std::nullopt;
-  return (folder_of(file) / file.filename()).lexically_relative(folder).generic_string();
+  if (file.empty() || !base::is_file_below(folder, file)) return std::nullopt;
+  return (base::folder_of(file) / file.filename()).lexically_relative(folder).generic_string();
 }
 
 // Calls set(polygon, group) for each polygon.
@@ -234,12 +235,12 @@ std::vector<std::string> embed_images(Attributes& a) {
 
 std::vector<std::string> put_images_beside(const fs::path& model, bool all, Attributes& a,
                                            base::FilesTogether& files) {
-  const fs::path folder = folder_of(model);
+  const fs::path folder = base::folder_of(model);
   std::map<fs::path, std::string> put;
   return for_each_image(a, all, [&](ImageFile& image) {
     if (const auto name = relative_to(folder, image.path)) return void(image.name = *name);
     std::string bytes = bytes_of(image);
-    const auto is_same = [&](const fs::path& file) { return FileBytes(file, nullptr).view() == bytes; };
+    const auto is_same = [&](const fs::path& file) { return base::FileBytes(file).view() == bytes; };
     const fs::path wanted = file_name(image, bytes);
     fs::path file = base::unused_name(folder / wanted, is_same);
     for (int i = 2; put.contains(file) && put[file] != bytes; ++i) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 
 namespace viete::formats {
@@ -125,7 +126,7 @@ private:
     }
     const std::string_view name = text_.rest_of_line();
     if (name.empty()) return;
-    take_map(word, path_beside(source_.folder, name));
+    take_map(word, base::path_beside(source_.folder, name));
   }
 
   // `norm` replaces a bump map.
@@ -178,20 +179,20 @@ private:
 };
 
 std::vector<MtlMaterial> materials_in(const fs::path& path) {
-  const FileBytes bytes(path, nullptr, most_library_bytes);
+  const base::FileBytes bytes(path, nullptr, most_library_bytes);
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
 // If `names` is the name of an existing file or has no blanks, returns one path, otherwise one path per word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
-  const fs::path whole = path_beside(folder, names);
+  const fs::path whole = base::path_beside(folder, names);
   const bool single = names.find_first_of(" \t") == std::string_view::npos;
   if (single || names.size() > 4096 || fs::exists(whole, code)) return {whole};
   std::vector<fs::path> paths;
   const Source line{"", "", names};
   TextCursor text(line, {});
-  while (!text.at_line_end() && paths.size() < 64) paths.push_back(path_beside(folder, text.word()));
+  while (!text.at_line_end() && paths.size() < 64) paths.push_back(base::path_beside(folder, text.word()));
   return paths;
 }
 
@@ -210,7 +211,7 @@ ObjWord small_obj_word(std::string_view word) {
 ObjWord obj_word(std::string_view word) {
   const ObjWord found = small_obj_word(word);
   if (found != unknown || word.size() > 10) return found;
-  return small_obj_word(lower_case(word));
+  return small_obj_word(base::lower_case(word));
 }
 
 ObjIndices obj_indices(std::string_view rest) {

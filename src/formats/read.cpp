@@ -4,6 +4,7 @@
 #include <ranges>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "formats/codecs.h"
 #include "formats/format_table.h"
 
@@ -37,9 +38,10 @@ ReadResult read(const Source& source) {
 }
 
 ReadResult read(const std::filesystem::path& path, base::Progress* progress, bool played) {
-  const auto bytes = std::make_shared<const FileBytes>(path, progress);
+  const auto bytes = std::make_shared<const base::FileBytes>(path, progress);
   const auto folder = std::filesystem::absolute(path).parent_path();
-  return read(Source{path.string(), extension_of(path), bytes->view(), progress, bytes, folder, played});
+  return read(
+      Source{path.string(), base::extension_of(path), bytes->view(), progress, bytes, folder, played});
 }
 
 }  // namespace viete::formats

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/format_table.h"
@@ -146,7 +147,7 @@ void put_materials(const fs::path& path, const Format& format, Attributes& a, ba
   out.finish();
   const fs::path file = base::unused_name(
       path.parent_path() / (library_stem(path) + "." + std::string(format.library_extension)),
-      [&](const fs::path& old) { return FileBytes(old, nullptr).view() == text; });
+      [&](const fs::path& old) { return base::FileBytes(old).view() == text; });
   library = file.filename().string();
   std::error_code ignored;
   if (!fs::exists(file, ignored)) files.put(file, [&](const base::ByteSink& sink) { sink(text); });
@@ -163,7 +164,7 @@ void put_materials(const fs::path& path, const Format& format, Attributes& a, ba
 // outside the old folder, and does not overwrite files. Returns messages for the user.
 std::vector<std::string> copy_companions(const fs::path& model, const Companions& companions,
                                          std::vector<fs::path>& written) {
-  if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};
+  if (fs::weakly_canonical(companions.folder) == base::folder_of(model)) return {};
   std::set<std::string> copied, others, stayed;
   for (const fs::path& file : companions.files) {
     const fs::path name = file.lexically_relative(companions.folder), path = model.parent_path() / name;
@@ -173,10 +174,10 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
       stayed.insert(file.string());
       continue;
     }
-    const FileBytes bytes(file, nullptr);
+    const base::FileBytes bytes(file);
     const bool is_new = !fs::exists(fs::symlink_status(path, code));
     const bool is_there = !is_new && fs::file_size(path, code) == bytes.view().size() && !code &&
-                          FileBytes(path, nullptr).view() == bytes.view();
+                          base::FileBytes(path).view() == bytes.view();
     (is_new || is_there ? copied : others).insert(name.string());
     if (!is_new) continue;
     fs::create_directories(path.parent_path(), code);  // if this fails, replace_file() throws
