@@ -74,6 +74,12 @@ FileBytes::FileBytes(const fs::path& path, Progress* progress, std::size_t most)
   if (!complete) throw Error(path.string(), "cannot be read completely", "check the disk");
 }
 
+bool has_bytes(const fs::path& file, std::string_view bytes) {
+  std::error_code code;
+  return fs::is_regular_file(file, code) && fs::file_size(file, code) == bytes.size() && !code &&
+         FileBytes(file).view() == bytes;
+}
+
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);

@@ -30,6 +30,9 @@ private:
   std::size_t size_ = 0;
 };
 
+/// Returns true for a regular file with these bytes. Throws Error like FileBytes.
+bool has_bytes(const std::filesystem::path& file, std::string_view bytes);
+
 /// Converts ASCII letters to lower case.
 std::string lower_case(std::string_view text);
 

@@ -6,12 +6,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file_bytes.h"
 #include "base/picture.h"
 #include "base/text.h"
-#include "formats/source.h"
 #include "formats/text_writer.h"
 
 namespace viete::formats {
@@ -21,10 +22,35 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
+using Images = std::span<const MaterialImage>;
+constexpr Images all_images = material_images, base_color_images = all_images.first(1),
+                 normal_images = all_images.subspan(3, 1);
+static_assert(base_color_images[0].image == &Material::base_color_image);
+static_assert(normal_images[0].image == &Material::normal_image);
+
+// The first bytes of image files, and their extensions. TGA has no signature.
 constexpr std::string_view png_mark = "\x89PNG\r\n\x1A\n", jpeg_mark = "\xFF\xD8\xFF";
+constexpr std::pair<std::string_view, std::string_view> image_kinds[] = {
+    {png_mark, "png"},   {jpeg_mark, "jpg"},      {jpeg_mark, "jpeg"},   {"BM"sv, "bmp"},
+    {"RIFF"sv, "webp"},  {"II*\0"sv, "tif"},      {"II*\0"sv, "tiff"},   {"MM\0*"sv, "tif"},
+    {"MM\0*"sv, "tiff"}, {"GIF8"sv, "gif"},       {"DDS "sv, "dds"},     {"8BPS"sv, "psd"},
+    {"v/1\1"sv, "exr"},  {"#?RADIANCE"sv, "hdr"}, {"\xABKTX"sv, "ktx2"}, {""sv, "tga"}};
 
 std::string place_of(const ImageFile& image) {
   return image.path.empty() ? image.name : image.path.string();
+}
+
+// Returns the extension of image files with these bytes: the given one, if it fits.
+std::string_view image_extension(const ImageFile& image, std::string_view bytes, std::string_view given) {
+  std::string_view found;
+  for (const auto& [begin, extension] : image_kinds) {
+    if (!bytes.starts_with(begin)) continue;
+    if (extension == given) return extension;
+    if (found.empty() && !begin.empty()) found = extension;
+  }
+  if (found.empty())
+    throw base::Error(place_of(image), "this is not an image", "save the picture as PNG or JPEG");
+  return found;
 }
 
 std::string bytes_of(const ImageFile& image) {
@@ -34,67 +60,46 @@ std::string bytes_of(const ImageFile& image) {
   return std::string(base::FileBytes(image.path, nullptr, most_image_bytes).view());
 }
 
+base::Picture decoded(const ImageFile& image) {
+  return base::decode_picture(place_of(image), *image.bytes);
+}
+
 void set_bytes(ImageFile& image, std::string bytes) {
   image.bytes = std::make_shared<const std::string>(std::move(bytes));
 }
 
-std::set<std::uint32_t> used_images(const Attributes& a, bool all) {
-  std::set<std::uint32_t> used;
-  for (const Material& material : a.materials)
-    for (const MaterialImage& property : material_images)
-      if (all || property.image == &Material::base_color_image) used.insert(material.*property.image);
-  used.erase(mesh::none);
-  return used;
-}
-
-void remove_image(Attributes& a, std::uint32_t image) {
-  for (Material& material : a.materials)
-    for (const MaterialImage& property : material_images)
-      if (material.*property.image == image) material.*property.image = mesh::none;
-}
-
-// Calls use(image) for each used image. If this throws base::Error, removes the image from the materials.
-// Returns messages.
-std::vector<std::string> for_each_image(Attributes& a, bool all, const std::function<void(ImageFile&)>& use) {
-  std::vector<std::string> notes;
-  for (const std::uint32_t i : used_images(a, all)) {
-    try {
-      use(a.images[i]);
-    } catch (const base::Error& error) {
-      notes.push_back(std::string("left out an image: ") + error.what());
-      remove_image(a, i);
-    }
-  }
-  return notes;
-}
-
-// Decodes an image. If this is impossible, returns an empty picture, and adds a message.
-base::Picture decoded(const ImageFile& image, std::vector<std::string>& notes) {
+// Calls use(). If this throws base::Error, adds a message and returns false.
+bool is_usable(std::vector<std::string>& notes, const std::function<void()>& use) {
   try {
-    return base::decode_picture(place_of(image), *image.bytes);
+    use();
+    return true;
   } catch (const base::Error& error) {
     notes.push_back(std::string("left out an image: ") + error.what());
-    return {};
+    return false;
   }
 }
 
-// True for heights, which some files have instead of normals. Also true for an empty picture.
-bool is_grey(const base::Picture& picture) {
+// Calls use(image) once for each image of these properties. If this throws base::Error, removes the image
+// from the properties and adds a message.
+void for_images(Attributes& a, Images properties, std::vector<std::string>& notes,
+                const std::function<void(ImageFile&)>& use) {
+  std::map<std::uint32_t, bool> usable;
+  for (Material& m : a.materials)
+    for (const MaterialImage& property : properties) {
+      std::uint32_t& image = m.*property.image;
+      if (image == mesh::none) continue;
+      const auto [at, is_new] = usable.try_emplace(image);
+      if (is_new) at->second = is_usable(notes, [&] { use(a.images[image]); });
+      if (!at->second) image = mesh::none;
+    }
+}
+
+// Some files have grey images of heights instead of normals.
+void refuse_heights(const ImageFile& image) {
+  const base::Picture picture = decoded(image);
   for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4)
-    if (picture.rgba[i] != picture.rgba[i + 1] || picture.rgba[i] != picture.rgba[i + 2]) return false;
-  return true;
-}
-
-void remove_heights(Attributes& a, std::vector<std::string>& notes) {
-  for (Material& m : a.materials) {
-    if (m.normal_image == mesh::none) continue;
-    const base::Picture picture = decoded(a.images[m.normal_image], notes);
-    if (!is_grey(picture)) continue;
-    if (!picture.rgba.empty())
-      notes.push_back("left out an image: " + place_of(a.images[m.normal_image]) +
-                      " contains heights instead of normals");
-    m.normal_image = mesh::none;
-  }
+    if (picture.rgba[i] != picture.rgba[i + 1] || picture.rgba[i] != picture.rgba[i + 2]) return;
+  throw base::Error(place_of(image), "contains heights instead of normals", "convert them to normals");
 }
 
 // Puts the green channel of one picture and the blue channel of the other into one image, as in glTF. An
@@ -118,7 +123,9 @@ ImageFile combined(const base::Picture& roughness, const base::Picture& metallic
 void combine_images(Attributes& a, std::vector<std::string>& notes) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> made;
   const auto picture = [&](std::uint32_t i) {
-    return i == mesh::none ? base::Picture{} : decoded(a.images[i], notes);
+    base::Picture picture;
+    if (i != mesh::none) is_usable(notes, [&] { picture = decoded(a.images[i]); });
+    return picture;
   };
   for (Material& m : a.materials) {
     if (m.roughness_image == m.metallic_image) continue;
@@ -130,21 +137,25 @@ void combine_images(Attributes& a, std::vector<std::string>& notes) {
 }
 
 // The name of a new file for the image. Names in files of other programs can contain anything.
-fs::path file_name(const ImageFile& image, std::string_view bytes) {
-  std::string text =
-      base::cut((image.path.empty() ? fs::path(image.name) : image.path).filename().string(), 100);
-  for (char& c : text)
+std::string file_name(const ImageFile& image, std::string_view bytes) {
+  const fs::path path = image.path.empty() ? fs::path(image.name) : image.path;
+  std::string name = base::cut(path.filename().string(), 100);
+  for (char& c : name)
     if (static_cast<unsigned char>(c) < 32 || "\\/:*?\"<>|#"sv.find(c) != std::string_view::npos) c = '_';
-  fs::path name = text.empty() ? "image" : text;
-  if (!name.has_extension() && bytes.starts_with(png_mark)) name += ".png";
-  if (!name.has_extension() && bytes.starts_with(jpeg_mark)) name += ".jpg";
-  return name;
+  if (name.empty()) name = "image";
+  const std::string given = base::extension_of(name);
+  const std::string_view extension = image_extension(image, bytes, given);
+  return given == extension ? name : name + "." + std::string(extension);
 }
 
-// Returns the path relative to the folder, or nullopt if the file is not in the folder or below.
+// Returns the path relative to the folder. If the file is not in the folder or below, or if libraries cannot
+// contain its name, returns nullopt.
 std::optional<std::string> relative_to(const fs::path& folder, const fs::path& file) {
   if (file.empty() || !base::is_file_below(folder, file)) return std::nullopt;
-  return (base::folder_of(file) / file.filename()).lexically_relative(folder).generic_string();
+  const std::string name =
+      (base::folder_of(file) / file.filename()).lexically_relative(folder).generic_string();
+  const bool is_kept = name == name_in_library(name) && name.find('\\') == std::string::npos;
+  return is_kept ? std::optional(name) : std::nullopt;
 }
 
 // Calls set(polygon, group) for each polygon.
@@ -203,6 +214,12 @@ bool make_colors_of_materials(std::size_t polygons, Attributes& a) {
   return true;
 }
 
+std::string name_in_library(const std::string& name) {
+  std::string line = TextWriter::one_line(name);
+  std::ranges::replace(line, '#', '_');
+  return line;
+}
+
 void complete_materials(Attributes& a) {
   const auto without = [](const Group& g) { return g.material == mesh::none; };
   if (std::ranges::any_of(a.groups, without)) {
@@ -212,46 +229,38 @@ void complete_materials(Attributes& a) {
       if (without(group)) group.material = added;
   }
   std::set<std::string> taken;
+  std::map<std::string, int> numbers;  // how often each name was numbered
   for (Material& m : a.materials) {
-    std::string name = TextWriter::one_line(m.name);
-    std::ranges::replace(name, '#', '_');
+    std::string name = name_in_library(m.name);
     if (name.empty()) name = "material";
     m.name = name;
-    for (int i = 2; !taken.insert(m.name).second; ++i) m.name = name + "-" + std::to_string(i);
+    for (int& number = numbers[name]; !taken.insert(m.name).second;)
+      m.name = name + "-" + std::to_string(++number + 1);
   }
 }
 
 std::vector<std::string> embed_images(Attributes& a) {
-  auto notes = for_each_image(a, true, [](ImageFile& image) {
-    std::string bytes = bytes_of(image);
-    if (!bytes.starts_with(png_mark) && !bytes.starts_with(jpeg_mark))
-      bytes = base::encode_png(place_of(image), base::decode_picture(place_of(image), bytes));
-    set_bytes(image, std::move(bytes));
+  std::vector<std::string> notes;
+  for_images(a, all_images, notes, [](ImageFile& image) {
+    set_bytes(image, bytes_of(image));
+    if (!image.bytes->starts_with(png_mark) && !image.bytes->starts_with(jpeg_mark))
+      set_bytes(image, base::encode_png(place_of(image), decoded(image)));
   });
-  remove_heights(a, notes);
+  for_images(a, normal_images, notes, refuse_heights);
   combine_images(a, notes);
   return notes;
 }
 
 std::vector<std::string> put_images_beside(const fs::path& model, bool all, Attributes& a,
                                            base::FilesTogether& files) {
+  std::vector<std::string> notes;
   const fs::path folder = base::folder_of(model);
-  std::map<fs::path, std::string> put;
-  return for_each_image(a, all, [&](ImageFile& image) {
+  for_images(a, all ? all_images : base_color_images, notes, [&](ImageFile& image) {
     if (const auto name = relative_to(folder, image.path)) return void(image.name = *name);
-    std::string bytes = bytes_of(image);
-    const auto is_same = [&](const fs::path& file) { return base::FileBytes(file).view() == bytes; };
-    const fs::path wanted = file_name(image, bytes);
-    fs::path file = base::unused_name(folder / wanted, is_same);
-    for (int i = 2; put.contains(file) && put[file] != bytes; ++i) {
-      const std::string name = wanted.stem().string() + "-" + std::to_string(i) + wanted.extension().string();
-      file = base::unused_name(folder / name, is_same);
-    }
-    image.name = file.filename().string();
-    if (put.contains(file) || fs::exists(file)) return;
-    files.put(file, [&](const base::ByteSink& sink) { sink(bytes); });
-    put.emplace(std::move(file), std::move(bytes));
+    const std::string bytes = bytes_of(image);
+    image.name = files.put_new(folder / file_name(image, bytes), bytes).filename().string();
   });
+  return notes;
 }
 
 }  // namespace viete::formats

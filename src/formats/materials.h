@@ -53,8 +53,11 @@ bool make_materials_of_colors(std::size_t polygons, Attributes& attributes);
 /// the default colour or belong to images, changes nothing and returns false.
 bool make_colors_of_materials(std::size_t polygons, Attributes& attributes);
 
-/// Gives all materials different names of one line. If only some groups have materials, gives the others a
-/// new default material.
+/// Returns TextWriter::one_line() without comment marks.
+std::string name_in_library(const std::string& name);
+
+/// Gives all materials different names for a material library. If only some groups have materials, gives the
+/// others a new default material.
 void complete_materials(Attributes& attributes);
 
 /// Gives each image of a material bytes in PNG or JPEG format, and combines images of metallic and roughness

@@ -278,8 +278,8 @@ public:
   void before(std::size_t polygon, TextWriter& out) {
     if (next_ == groups_.size() || groups_[next_].first_polygon != polygon) return;
     const Group& group = groups_[next_++];
-    if (group.object != now_.object) out.text("o ").text(TextWriter::one_line(group.object)).text("\n");
-    if (group.name != now_.name) out.text("g ").text(TextWriter::one_line(group.name)).text("\n");
+    if (group.object != now_.object) out.text("o ").text(name_in_library(group.object)).text("\n");
+    if (group.name != now_.name) out.text("g ").text(name_in_library(group.name)).text("\n");
     if (with_materials_ && group.material != now_.material && group.material != mesh::none)
       out.text("usemtl ").text(materials_[group.material].name).text("\n");
     if (group.smooth != now_.smooth) out.text(group.smooth ? "s 1\n" : "s off\n");
