@@ -40,16 +40,20 @@ private:
   std::vector<std::vector<mesh::Point>> positions_;
 };
 
-// A foreign file cannot be written again, and some content is not read.
+// A foreign file cannot be written again; its images are inputs, and some content is not read.
 class ForeignOriginal final : public formats::Original {
 public:
   ForeignOriginal(const Kind& kind, const formats::Source& source, Scene scene)
       : Original(kind.name, source), ignored_(std::move(scene.ignored)) {
+    images_.folder = source.folder;
+    for (const formats::ImageFile& image : scene.attributes.images)
+      if (!image.path.empty()) images_.files.push_back(image.path);
     if (!scene.targets.empty())
       morphs_ = std::make_shared<const SceneMorphs>(std::move(scene.positions), std::move(scene.targets));
   }
 
   std::vector<std::string> beyond_attributes() const override { return ignored_; }
+  formats::Companions companions() const override { return images_; }
   std::shared_ptr<const formats::MorphClip> morphs() const override { return morphs_; }
   std::vector<std::string> write(const formats::Content&, formats::TextWriter&) const override {
     throw base::Error(name_, std::string(format()) + " files cannot be written", "save as .glb or .obj");
@@ -57,6 +61,7 @@ public:
 
 private:
   std::vector<std::string> ignored_;
+  formats::Companions images_;
   std::shared_ptr<const formats::MorphClip> morphs_;
 };
 
