@@ -223,14 +223,17 @@ void FilesTogether::put(const fs::path& path, const std::function<void(const Byt
 }
 
 fs::path FilesTogether::put_new(const fs::path& path, std::string_view bytes) {
+  const std::size_t hash = std::hash<std::string_view>()(bytes);
   std::error_code ignored;
   for (int i = 1;; ++i) {
     const fs::path name = numbered(path, i);
-    const auto own = std::ranges::find(files_, name, [](const auto& file) { return file->target(); });
-    const fs::path& content = own == files_.end() ? name : (*own)->part();
+    const auto own = new_.find(name);
+    if (own != new_.end() && own->second.first != hash) continue;
+    const fs::path& content = own == new_.end() ? name : own->second.second->part();
     if (has_bytes(content, bytes)) return name;
     if (fs::exists(fs::symlink_status(content, ignored))) continue;
     put(name, [&](const ByteSink& out) { out(bytes); });
+    new_[name] = {hash, files_.back().get()};
     return name;
   }
 }
@@ -241,6 +244,7 @@ void FilesTogether::replace() {
     if (durability_ == Durability::power_cut) os::sync_folder(file->target().parent_path());
   }
   files_.clear();
+  new_.clear();
 }
 
 }  // namespace viete::base

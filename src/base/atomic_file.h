@@ -1,11 +1,14 @@
 // Replaces files atomically: a file has either its old content or its complete new content.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace viete::base {
@@ -52,6 +55,7 @@ public:
 
 private:
   std::vector<std::unique_ptr<File>> files_;
+  std::map<std::filesystem::path, std::pair<std::size_t, const File*>> new_;  // hash of bytes; by put_new()
   Durability durability_;
 };
 

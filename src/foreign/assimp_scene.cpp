@@ -129,6 +129,7 @@ private:
                &Material::base_color_image);
     take_image(from, {aiTextureType_METALNESS}, material, &Material::metallic_image);
     take_image(from, {aiTextureType_DIFFUSE_ROUGHNESS}, material, &Material::roughness_image);
+    if (like_blender_) take_image(from, {aiTextureType_SHININESS}, material, &Material::roughness_image);
     take_image(from, {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA}, material, &Material::normal_image);
     take_image(from, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE}, material,
                &Material::emission_image);
@@ -173,6 +174,10 @@ private:
                             from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS;
     float opacity = 1;
     if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0) color.a = opacity;
+    aiString opacities, colors;
+    material.is_translucent = from.GetTexture(aiTextureType_OPACITY, 0, &opacities) == AI_SUCCESS &&
+                              from.GetTexture(aiTextureType_DIFFUSE, 0, &colors) == AI_SUCCESS &&
+                              opacities == colors;
     if (is_colored) material.base_color = file_color(color);
     aiColor4D light(0, 0, 0, 1);
     if (material.emission_image != mesh::none)

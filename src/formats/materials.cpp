@@ -32,29 +32,16 @@ constexpr Images all_images = material_images, base_color_images = all_images.fi
 static_assert(base_color_images[0].image == &Material::base_color_image);
 static_assert(normal_images[0].image == &Material::normal_image);
 
-// The first bytes of image files, and their extensions. TGA has no signature.
+// The extensions of image files. Other files are not copied.
+constexpr std::string_view image_extensions[] = {"png",  "jpg", "jpeg", "bmp", "tga", "tif", "tiff",
+                                                 "webp", "gif", "dds",  "exr", "hdr", "psd", "ktx2"};
+// The extensions for images that are embedded without an extension, and their first bytes.
 constexpr std::string_view png_mark = "\x89PNG\r\n\x1A\n", jpeg_mark = "\xFF\xD8\xFF";
-constexpr std::pair<std::string_view, std::string_view> image_kinds[] = {
-    {png_mark, "png"},   {jpeg_mark, "jpg"},      {jpeg_mark, "jpeg"},   {"BM"sv, "bmp"},
-    {"RIFF"sv, "webp"},  {"II*\0"sv, "tif"},      {"II*\0"sv, "tiff"},   {"MM\0*"sv, "tif"},
-    {"MM\0*"sv, "tiff"}, {"GIF8"sv, "gif"},       {"DDS "sv, "dds"},     {"8BPS"sv, "psd"},
-    {"v/1\1"sv, "exr"},  {"#?RADIANCE"sv, "hdr"}, {"\xABKTX"sv, "ktx2"}, {""sv, "tga"}};
+constexpr std::pair<std::string_view, std::string_view> marks[] = {
+    {"png", png_mark}, {"jpg", jpeg_mark}, {"webp", "RIFF"}};
 
 std::string place_of(const ImageFile& image) {
   return image.path.empty() ? image.name : image.path.string();
-}
-
-// Returns the extension of image files with these bytes: the given one, if it fits.
-std::string_view image_extension(const ImageFile& image, std::string_view bytes, std::string_view given) {
-  std::string_view found;
-  for (const auto& [begin, extension] : image_kinds) {
-    if (!bytes.starts_with(begin)) continue;
-    if (extension == given) return extension;
-    if (found.empty() && !begin.empty()) found = extension;
-  }
-  if (found.empty())
-    throw base::Error(place_of(image), "this is not an image", "save the picture as PNG or JPEG");
-  return found;
 }
 
 std::string bytes_of(const ImageFile& image) {
@@ -147,9 +134,10 @@ std::string file_name(const ImageFile& image, std::string_view bytes) {
   for (char& c : name)
     if (static_cast<unsigned char>(c) < 32 || "\\/:*?\"<>|#"sv.find(c) != std::string_view::npos) c = '_';
   if (name.empty()) name = "image";
-  const std::string given = base::extension_of(name);
-  const std::string_view extension = image_extension(image, bytes, given);
-  return given == extension ? name : name + "." + std::string(extension);
+  if (std::ranges::count(image_extensions, base::extension_of(name)) > 0) return name;
+  for (const auto& [extension, mark] : marks)
+    if (bytes.starts_with(mark)) return name + "." + std::string(extension);
+  throw base::Error(place_of(image), "this is not an image", "save the picture as PNG or JPEG");
 }
 
 // Returns the path relative to the folder. If the file is not in the folder or below, or if libraries cannot
@@ -170,16 +158,6 @@ void for_each_polygon(std::size_t polygons, const std::vector<Group>& groups, co
     while (g + 1 < groups.size() && groups[g + 1].first_polygon <= p) ++g;
     set(p, groups[g]);
   }
-}
-
-// Converts between the exponent Ns and roughness like Blender 3.4.
-float roughness_of_exponent(double exponent) {
-  return static_cast<float>(1 - std::sqrt(std::clamp(exponent, 0.0, 1000.0) / 1000));
-}
-
-float exponent_of_roughness(  // Converts between the exponent Ns and roughness like Blender 3.4.
-    float roughness) {
-  return 1000 * (1 - roughness) * (1 - roughness);
 }
 
 constexpr std::size_t most_library_bytes = 64 << 20;
@@ -238,10 +216,8 @@ private:
   void color(Color& color) {
     std::array<double, 3> rgb{};
     const std::size_t count = text_.numbers(rgb);
-    if (count == 0) return;
-    if (count < 3) rgb[2] = rgb[count - 1];
-    if (count < 2) rgb[1] = rgb[0];
-    for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(std::clamp(rgb[i], 0.0, 1.0));
+    for (std::size_t i = 0; i < 3 && count > 0; ++i)
+      color[i] = static_cast<float>(std::clamp(rgb[std::min(i, count - 1)], 0.0, 1.0));
   }
 
   // Returns null for other maps.
@@ -290,12 +266,13 @@ private:
     }
   }
 
-  // Sets the properties that depend on several statements.
+  // Sets the properties that depend on several statements. Converts the exponent Ns like Blender 3.4.
   void end_material() {
     if (found_.empty()) return;
     auto& [material, maps, ignored] = found_.back();
     if (const auto exponent = numbers_.find("Ns"); exponent != numbers_.end())
-      material.roughness = roughness_of_exponent(exponent->second);
+      material.roughness =
+          static_cast<float>(1 - std::sqrt(std::clamp(exponent->second, 0.0, 1000.0) / 1000));
     for (const MaterialNumber& property : material_numbers) {
       if (material.*property.image != mesh::none) material.*property.number = 1;
       if (const auto given = numbers_.find(property.mtl); given != numbers_.end())
@@ -491,7 +468,7 @@ void write_mtl(const Attributes& a, TextWriter& out) {
     put_color("Kd", m.base_color, out);
     put_color("Ke", m.emission, out);
     out.text("d ").number(m.base_color[3]).text("\n");
-    out.text("Ns ").number(exponent_of_roughness(m.roughness)).text("\n");
+    out.text("Ns ").number(1000 * (1 - m.roughness) * (1 - m.roughness)).text("\n");  // as in end_material()
     for (const MaterialNumber& property : material_numbers)
       out.text(property.mtl).text(" ").number(m.*property.number).text("\n");
     const std::string_view clamp = m.repeats ? "" : " -clamp on";

@@ -221,13 +221,12 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   }
   if (writes_itself(original, path)) return original->write_file(path, content, digits, progress);
   const Format& format = surface_format(path);
-  if (format.stores_only_splats() && !content.splats)
+  const bool is_for_splats = format.stores_only_splats();
+  if (is_for_splats ? !content.splats : !format.holds(held::points) && content.surface.triangles.empty())
     throw base::Error(path.string(),
-                      std::string(format.name) + " stores only Gaussian splats, and the model has no splats",
-                      "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
-  if (!format.holds(held::points) && !format.stores_only_splats() && content.surface.triangles.empty())
-    throw base::Error(path.string(),
-                      std::string(format.name) + " stores only triangles, and the model has no triangles",
+                      std::string(format.name) +
+                          (is_for_splats ? " stores only Gaussian splats, and the model has no splats"
+                                         : " stores only triangles, and the model has no triangles"),
                       "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   return write_new(path, content, original, digits, progress, format.write);
 }
