@@ -11,9 +11,9 @@
 #include "app/offscreen_viewer.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "files/animation_import.h"
-#include "formats/source.h"
 
 namespace viete::app {
 
@@ -65,7 +65,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
 
 // Called twice: before reading, with the files of the command line, and after reading, with all read files.
 void check_output(const AnimateOptions& options, FilesInUse files, const files::FrameSteps& frames = {}) {
-  const std::string extension = formats::extension_of(options.output.file);
+  const std::string extension = base::extension_of(options.output.file);
   const bool numbered = base::NumberedName::is_pattern(options.output.file);
   if (!numbered && !files::is_animation_format(extension) && !files::is_film(options.output.file)) return;
   check_output(options.output.file, frames, files, force_of(options.output.force));
@@ -188,8 +188,7 @@ int animate(const AnimateOptions& options) {
   named.add(options.keys, document::the_keys);
   check_output(options, std::move(named));
   if (files::is_film(options.output.file)) return write_film(options);
-  return formats::extension_of(options.output.file) == "png" ? write_pictures(options)
-                                                             : write_models(options);
+  return base::extension_of(options.output.file) == "png" ? write_pictures(options) : write_models(options);
 }
 
 }  // namespace

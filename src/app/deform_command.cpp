@@ -15,8 +15,8 @@
 #include "app/inputs.h"
 #include "app/view_model.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
-#include "formats/source.h"
 
 namespace viete::app {
 
@@ -31,7 +31,7 @@ struct DeformOptions {
 
 // Reads one number per vertex, separated by whitespace.
 weights::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
-  const formats::FileBytes bytes(file, nullptr);
+  const base::FileBytes bytes(file);
   std::istringstream in{std::string(bytes.view())};
   std::vector<float> shares;
   std::string word;

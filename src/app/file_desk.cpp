@@ -8,11 +8,11 @@
 #include "app/child_process.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/numbered_files.h"
 #include "base/process.h"
 #include "base/text.h"
 #include "files/output.h"
-#include "formats/source.h"
 #include "workspace/saving.h"
 
 namespace viete::app {
@@ -291,7 +291,7 @@ void FileDesk::start_animation_export(const workspace::Workspace& w, const fs::p
   what.force = confirmed ? files::Force::given : files::Force::none;
   if (base::NumberedName::is_pattern(file))
     files::check_frames_are_new(base::NumberedName(file), what.frames(), what.force);
-  if (formats::extension_of(file) == "png" || files::is_film(file))
+  if (base::extension_of(file) == "png" || files::is_film(file))
     return exporter_.add(picture_export_of(w, file));
   what.model.up = w.view.camera.pose().up;
   what.tolerance = w.files.browser.morphs.tolerance;

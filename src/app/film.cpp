@@ -10,9 +10,9 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/process.h"
 #include "base/text.h"
-#include "formats/source.h"
 
 namespace viete::app {
 
@@ -71,7 +71,7 @@ void check_film_maker(const fs::path& film) {
 
 void make_film(const fs::path& film, const fs::path& folder, std::size_t pictures, double rate,
                FilmQuality quality, base::Progress& progress) {
-  const std::string extension = formats::extension_of(film);
+  const std::string extension = base::extension_of(film);
   const fs::path made = folder / ("film." + extension), report = folder / "progress.txt";
   std::vector<std::string> words = {"ffmpeg",
                                     "-y",
@@ -97,8 +97,7 @@ void make_film(const fs::path& film, const fs::path& folder, std::size_t picture
     throw base::Error(film.string(), "ffmpeg has failed: " + error.problem(),
                       "write numbered pictures: frame_####.png");
   }
-  base::replace_file(film,
-                     [&](const base::ByteSink& sink) { sink(formats::FileBytes(made, nullptr).view()); });
+  base::replace_file(film, [&](const base::ByteSink& sink) { sink(base::FileBytes(made).view()); });
 }
 
 }  // namespace viete::app

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/worker_pool.h"
 #include "deform/splats.h"
-#include "formats/source.h"
 #include "mesh/normals.h"
 #include "render/upload.h"
 #include "render/view.h"
@@ -129,7 +129,7 @@ private:
       render::Image decoded =
           file.bytes ? render::decode_image(place, *file.bytes, longest_side)
                      : render::decode_image(
-                           place, formats::FileBytes(file.path, nullptr, formats::most_image_bytes).view(),
+                           place, base::FileBytes(file.path, nullptr, formats::most_image_bytes).view(),
                            longest_side);
       pixels_ += static_cast<std::size_t>(decoded.width) * static_cast<std::size_t>(decoded.height);
       if (pixels_ > most_pixels_)

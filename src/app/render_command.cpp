@@ -4,7 +4,7 @@
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "base/error.h"
-#include "formats/source.h"
+#include "base/file_bytes.h"
 
 namespace viete::app {
 
@@ -17,7 +17,7 @@ struct RenderOptions {
 };
 
 int render(const RenderOptions& options) {
-  if (formats::extension_of(options.output.file) != "png")
+  if (base::extension_of(options.output.file) != "png")
     throw base::Error(options.output.file.string(), "pictures can only be written as PNG",
                       "use the extension .png");
   const auto offscreen =

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/os.h"
 #include "base/process.h"
 
@@ -150,12 +151,24 @@ struct FilesTogether::File {
     path_.clear();
   }
 
-  fs::path folder() const { return target_.parent_path(); }
+  const fs::path& target() const { return target_; }
+  const fs::path& part() const { return path_; }
 
 private:
   fs::path target_, path_;
   os::NewFile file_;
 };
+
+namespace {
+
+// Returns "a.png" for 1, "a-2.png" for 2, ...
+fs::path numbered(const fs::path& path, int number) {
+  if (number == 1) return path;
+  return path.parent_path() /
+         (path.stem().string() + "-" + std::to_string(number) + path.extension().string());
+}
+
+}  // namespace
 
 fs::path unused_name(const fs::path& path, const std::function<bool(const fs::path&)>& fits) {
   std::error_code ignored;
@@ -164,8 +177,7 @@ fs::path unused_name(const fs::path& path, const std::function<bool(const fs::pa
     return fs::exists(fs::symlink_status(name, ignored)) &&
            !(fs::is_regular_file(name, ignored) && fits(name));
   };
-  for (int i = 2; taken(); ++i)
-    name = path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string());
+  for (int i = 2; taken(); ++i) name = numbered(path, i);
   return name;
 }
 
@@ -210,12 +222,29 @@ void FilesTogether::put(const fs::path& path, const std::function<void(const Byt
   files_.push_back(std::move(file));
 }
 
+fs::path FilesTogether::put_new(const fs::path& path, std::string_view bytes) {
+  const std::size_t hash = std::hash<std::string_view>()(bytes);
+  std::error_code ignored;
+  for (int i = 1;; ++i) {
+    const fs::path name = numbered(path, i);
+    const auto own = new_.find(name);
+    if (own != new_.end() && own->second.first != hash) continue;
+    const fs::path& content = own == new_.end() ? name : own->second.second->part();
+    if (has_bytes(content, bytes)) return name;
+    if (fs::exists(fs::symlink_status(content, ignored))) continue;
+    put(name, [&](const ByteSink& out) { out(bytes); });
+    new_[name] = {hash, files_.back().get()};
+    return name;
+  }
+}
+
 void FilesTogether::replace() {
   for (const auto& file : files_) file->become_target();
   for (const auto& file : files_) {
-    if (durability_ == Durability::power_cut) os::sync_folder(file->folder());
+    if (durability_ == Durability::power_cut) os::sync_folder(file->target().parent_path());
   }
   files_.clear();
+  new_.clear();
 }
 
 }  // namespace viete::base

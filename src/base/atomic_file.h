@@ -1,11 +1,14 @@
 // Replaces files atomically: a file has either its old content or its complete new content.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace viete::base {
@@ -43,12 +46,16 @@ public:
 
   /// Throws errors of replace_file() and exceptions of produce().
   void put(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce);
+  /// Puts a file without replacing another file: if the name is taken, uses a name such as "a-2.png". If a
+  /// file with this name and these bytes exists, puts nothing. Returns the path. Throws errors of put().
+  std::filesystem::path put_new(const std::filesystem::path& path, std::string_view bytes);
   void replace();
 
   struct File;
 
 private:
   std::vector<std::unique_ptr<File>> files_;
+  std::map<std::filesystem::path, std::pair<std::size_t, const File*>> new_;  // hash of bytes; by put_new()
   Durability durability_;
 };
 

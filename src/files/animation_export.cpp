@@ -12,13 +12,13 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "files/animated_model.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
-#include "formats/source.h"
 #include "formats/text_writer.h"
 #include "formats/write.h"
 
@@ -345,7 +345,7 @@ private:
 
   // If the targets are too large, throws base::Error. The GLB format allows at most 4 GB.
   void check_size(const MorphPlan& plan) const {
-    const bool binary = formats::extension_of(what_.model.file) == "glb";
+    const bool binary = base::extension_of(what_.model.file) == "glb";
     const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes, size = bytes(plan);
     if (size <= most) return;
     throw base::Error("",
@@ -367,7 +367,7 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
   MorphedModel model(what, pool, progress);
   const MorphPlan plan = model.plan(progress);
   // The text of a .gltf file, with targets in base64, is created in memory.
-  const double copies = formats::extension_of(what.model.file) == "glb" ? 1 : 4;
+  const double copies = base::extension_of(what.model.file) == "glb" ? 1 : 4;
   base::require_memory({copies * model.bytes(plan),
                         base::counted(plan.targets.size(), "morph target") + " take",
                         "allow a larger tolerance, export fewer frames, or export a point cache (.pc2)",
@@ -434,7 +434,7 @@ bool is_animation_format(const std::string& extension) {
 
 void check_animation_export(const AnimationExport& what) {
   const fs::path& file = what.model.file;
-  const std::string extension = formats::extension_of(file);
+  const std::string extension = base::extension_of(file);
   if (!formats::format_by_extension(extension))
     throw base::Error(
         file.string(),

@@ -5,11 +5,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/byte_order.h"
 #include "base/encoding.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "document/range.h"
-#include "formats/byte_order.h"
 #include "formats/source.h"
 
 namespace viete::files {
@@ -174,7 +175,7 @@ std::string bytes_of(const std::vector<mesh::Point>& points) {
   bytes.reserve(points.size() * 3 * sizeof(T));
   for (const mesh::Point& p : points)
     for (const double x : p)
-      for (const char byte : formats::bytes_of_number(static_cast<T>(x))) bytes.push_back(byte);
+      for (const char byte : base::bytes_of_number(static_cast<T>(x))) bytes.push_back(byte);
   return bytes;
 }
 
@@ -184,7 +185,7 @@ weights::SharedShape shape_of_bytes(const JsonReader& json) {
   if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("there must be three numbers for each vertex");
   std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
   for (std::size_t n = 0; n < 3 * points.size(); ++n) {
-    const auto x = static_cast<double>(formats::number_of_bytes<T>(bytes.data() + n * sizeof(T)));
+    const auto x = static_cast<double>(base::number_of_bytes<T>(bytes.data() + n * sizeof(T)));
     if (!(std::abs(x) <= mesh::largest_coordinate))
       json.fail("a coordinate is not a finite number up to 1e100");
     points[n / 3][n % 3] = x;
@@ -313,7 +314,7 @@ json read_json(const std::filesystem::path& path) {
   std::error_code code;
   const auto size = std::filesystem::file_size(path, code);
   if (!code) check_length(size, path, "choose another file");
-  const formats::FileBytes bytes(path, nullptr);
+  const base::FileBytes bytes(path);
   formats::refuse_foreign(path.string(), bytes.view());
   return parsed(bytes.view(), path);
 }

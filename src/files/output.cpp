@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/document.h"
@@ -102,7 +103,7 @@ void check_output(const fs::path& file, const FrameSteps& frames, const document
 }
 
 bool is_film(const fs::path& file) {
-  return std::ranges::count(film_formats, formats::extension_of(file)) > 0;
+  return std::ranges::count(film_formats, base::extension_of(file)) > 0;
 }
 
 void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force) {

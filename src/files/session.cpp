@@ -9,6 +9,7 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "document/brush.h"
 #include "document/elements.h"
@@ -16,7 +17,6 @@
 #include "document/probes.h"
 #include "document/range.h"
 #include "files/json_codec.h"
-#include "formats/source.h"
 #include "mesh/surface.h"
 #include "mesh/triangulation.h"
 
@@ -560,7 +560,7 @@ std::vector<std::string> changes_since(const Session& session, const document::D
 }
 
 bool is_session(const fs::path& file) {
-  return formats::extension_of(file) == session_extension + 1;
+  return base::extension_of(file) == session_extension + 1;
 }
 
 std::uint64_t content_of_bytes(std::string_view bytes) {
@@ -571,7 +571,7 @@ std::uint64_t content_of_bytes(std::string_view bytes) {
 
 std::optional<std::uint64_t> content_of(const fs::path& file) {
   try {
-    return content_of_bytes(formats::FileBytes(file, nullptr).view());
+    return content_of_bytes(base::FileBytes(file).view());
   } catch (const std::exception&) {
     return std::nullopt;
   }

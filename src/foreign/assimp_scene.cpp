@@ -18,11 +18,11 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/file_bytes.h"
 #include "base/picture.h"
 #include "base/text.h"
 #include "foreign/readers.h"
 #include "formats/materials.h"
-#include "formats/source.h"
 
 namespace viete::foreign {
 
@@ -37,7 +37,7 @@ using Vector = aiVector3t<double>;
 class FolderFiles final : public Assimp::DefaultIOSystem {
 public:
   explicit FolderFiles(const fs::path& file)
-      : file_(fs::weakly_canonical(file)), folder_(formats::folder_of(file)) {}
+      : file_(fs::weakly_canonical(file)), folder_(base::folder_of(file)) {}
 
   bool Exists(const char* file) const override { return is_allowed(file); }
   Assimp::IOStream* Open(const char* file, const char*) override {  // never for writing
@@ -46,7 +46,7 @@ public:
 
   bool is_allowed(const fs::path& file) const {
     std::error_code code;
-    return formats::is_file_below(folder_, file) || fs::weakly_canonical(file, code) == file_;
+    return base::is_file_below(folder_, file) || fs::weakly_canonical(file, code) == file_;
   }
 
 private:
@@ -103,8 +103,8 @@ public:
   MaterialReader(const aiScene& scene, const fs::path& file, const FolderFiles& files,
                  formats::Attributes& attributes)
       : scene_(scene),
-        folder_(formats::folder_of(file)),
-        like_blender_(formats::extension_of(file) == "fbx" || formats::extension_of(file) == "blend"),
+        folder_(base::folder_of(file)),
+        like_blender_(base::extension_of(file) == "fbx" || base::extension_of(file) == "blend"),
         files_(files),
         attributes_(attributes) {}
 
@@ -130,6 +130,7 @@ private:
                &Material::base_color_image);
     take_image(from, {aiTextureType_METALNESS}, material, &Material::metallic_image);
     take_image(from, {aiTextureType_DIFFUSE_ROUGHNESS}, material, &Material::roughness_image);
+    if (like_blender_) take_image(from, {aiTextureType_SHININESS}, material, &Material::roughness_image);
     take_image(from, {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA}, material, &Material::normal_image);
     take_image(from, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE}, material,
                &Material::emission_image);
@@ -174,6 +175,10 @@ private:
                             from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS;
     float opacity = 1;
     if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0) color.a = opacity;
+    aiString opacities, colors;
+    material.is_translucent = from.GetTexture(aiTextureType_OPACITY, 0, &opacities) == AI_SUCCESS &&
+                              from.GetTexture(aiTextureType_DIFFUSE, 0, &colors) == AI_SUCCESS &&
+                              opacities == colors;
     if (is_colored) material.base_color = file_color(color);
     aiColor4D light(0, 0, 0, 1);
     if (material.emission_image != mesh::none)
@@ -205,7 +210,7 @@ private:
   // Paths in files are often absolute, from another computer.
   std::optional<formats::ImageFile> find_image(const std::string& name) const {
     if (const aiTexture* texture = scene_.GetEmbeddedTexture(name.c_str())) return embedded(*texture, name);
-    const fs::path path = formats::path_beside(folder_, name);
+    const fs::path path = base::path_beside(folder_, name);
     for (const fs::path& candidate :
          {path, folder_ / path.filename(), folder_ / "textures" / path.filename()})
       if (files_.is_allowed(candidate))
@@ -226,7 +231,7 @@ private:
     const std::string shown = texture.mFilename.length > 0 ? texture.mFilename.C_Str() : name;
     return {{},
             std::make_shared<const std::string>(std::move(bytes)),
-            formats::path_beside({}, shown).filename().string()};
+            base::path_beside({}, shown).filename().string()};
   }
 
   const aiScene& scene_;
@@ -475,7 +480,7 @@ Scene scene_by_assimp(const fs::path& file) {
   auto* const files = new FolderFiles(file);  // the importer owns this object
   importer.SetIOHandler(files);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const std::string extension = formats::extension_of(file);
+  const std::string extension = base::extension_of(file);
   if (!importer.IsExtensionSupported("." + extension))
     throw std::runtime_error("this version of Assimp has no reader for ." + extension);
   const aiScene* const from = importer.ReadFile(file.string(), 0);

@@ -12,6 +12,7 @@
 #endif
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/os.h"
 #include "base/text.h"
 #include "foreign/readers.h"
@@ -278,7 +279,7 @@ private:
   // get(i, to) stores the components of element i. Elements of vertices begin at multiples of four bytes.
   template <class Get>
   void put(Json& accessor, std::size_t count, std::size_t components, int target, const Get& get) {
-    formats::with_type(*formats::gltf_number_type(index_of(accessor, "componentType")), [&](auto zero) {
+    base::with_type(*formats::gltf_number_type(index_of(accessor, "componentType")), [&](auto zero) {
       using Number = decltype(zero);
       const bool aligned = target == formats::gltf_array_buffer && sizeof zero < 4;
       const std::size_t step = aligned ? (components * sizeof zero + 3) / 4 * 4 / sizeof zero : components;
@@ -317,9 +318,9 @@ private:
 }  // namespace
 
 std::string decompressed_gltf(const std::filesystem::path& file) {
-  const formats::FileBytes bytes(file, nullptr);
-  formats::Source source{file.string(), formats::extension_of(file), bytes.view()};
-  source.folder = formats::folder_of(file);
+  const base::FileBytes bytes(file);
+  formats::Source source{file.string(), base::extension_of(file), bytes.view()};
+  source.folder = base::folder_of(file);
   formats::GltfFile taken = formats::take_apart(source, true);
   limit_memory(taken);
   return Decompressor(std::move(taken)).glb();

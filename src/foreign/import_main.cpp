@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/file_bytes.h"
 #include "base/os.h"
 #include "foreign/readers.h"
-#include "formats/source.h"
 
 namespace {
 
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   }
   std::FILE* const output = base::os::reserve_output();
   base::os::limit_process(base::os::total_memory().value_or(usual_memory), foreign::most_seconds);
-  base::os::confine_process({words.back(), formats::folder_of(words.back())});
+  base::os::confine_process({words.back(), base::folder_of(words.back())});
   const std::string bytes = output_or_failure(words.back(), decompresses);
   const bool written = output && std::fwrite(bytes.data(), 1, bytes.size(), output) == bytes.size();
   return written && std::fclose(output) == 0 ? 0 : 1;

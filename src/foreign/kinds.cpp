@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/file_bytes.h"
 #include "formats/format_table.h"
-#include "formats/source.h"
 
 namespace viete::foreign {
 
@@ -32,7 +32,7 @@ std::string a_mesh() {
 }
 
 const Kind* kind_of(const std::filesystem::path& file) {
-  const auto found = std::ranges::find(all_kinds(), formats::extension_of(file), &Kind::extension);
+  const auto found = std::ranges::find(all_kinds(), base::extension_of(file), &Kind::extension);
   return found == all_kinds().end() ? nullptr : &*found;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/os.h"
 #include "base/process.h"
 #include "base/text.h"
@@ -126,7 +127,7 @@ Scene scene_of_output(const formats::Source& source, const Task& task, std::stri
   try {
     Scene scene = scene_of(output);
     for (const formats::ImageFile& image : scene.attributes.images)
-      if (!image.path.empty() && !formats::is_file_below(formats::folder_of(source.name), image.path))
+      if (!image.path.empty() && !base::is_file_below(base::folder_of(source.name), image.path))
         throw DamagedScene("an image is not in the folder of the file");
     return scene;
   } catch (const DamagedScene& damage) {
@@ -175,11 +176,11 @@ formats::ReadResult read_compressed(formats::Source source, const formats::Compr
 }  // namespace
 
 formats::ReadResult read(const fs::path& path, base::Progress* progress, bool played, double most_seconds) {
-  formats::Source source{path.string(), formats::extension_of(path), "", progress};
+  formats::Source source{path.string(), base::extension_of(path), "", progress};
   source.folder = fs::absolute(path).parent_path();
   source.played = played;
   if (const Kind* const kind = kind_of(path)) {
-    (void)formats::regular_file_size(path);  // throws the usual errors
+    (void)base::regular_file_size(path);  // throws the usual errors
     return read_foreign(source, *kind, most_seconds);
   }
   try {

@@ -47,7 +47,7 @@ public:
   double rounding() const { return rounding_; }
 
 private:
-  std::string_view at(std::size_t place, NumberType type) const {
+  std::string_view at(std::size_t place, base::NumberType type) const {
     const std::string_view rest = source_.bytes.substr(place);
     return file_.text ? TextCursor(Source{"", "", rest}, {}).rest_of_word() : rest.substr(0, size_of(type));
   }
@@ -60,7 +60,7 @@ private:
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string_view word = at(places[k], vectors_.types[k]);
       v[k] = file_.text ? number_in(word).value_or(std::nan(""))
-                        : number_of_bytes(word.data(), vectors_.types[k], file_.order);
+                        : base::number_of_bytes(word.data(), vectors_.types[k], file_.order);
     }
     return v;
   }
@@ -70,7 +70,7 @@ private:
     for (std::size_t row = 0; row < std::min(enough, vectors_.count); ++row) {
       const FileVectors::Places places = vectors_.places(row);
       if (places == no_places || !mesh::is_direction(direction(row))) continue;
-      for (const std::size_t place : places) printed_.learn(at(place, NumberType::float64));
+      for (const std::size_t place : places) printed_.learn(at(place, base::NumberType::float64));
     }
   }
 
@@ -138,8 +138,8 @@ private:
   std::vector<mesh::Vec3> before_, now_;      // directions before and after the deformation
   std::array<std::size_t, 3> axes_{0, 1, 2};  // sorted by the places of the numbers in a row
   std::size_t next_ = 0, place_ = nowhere;
-  NumberType type_ = NumberType::float64;  // type of the number at place_
-  std::string_view words_;                 // new text or bytes of the number at place_
+  base::NumberType type_ = base::NumberType::float64;  // type of the number at place_
+  std::string_view words_;                             // new text or bytes of the number at place_
   std::array<char, 400> room_;
   double rounding_ = 0;
 };
@@ -178,7 +178,7 @@ private:
 
 }  // namespace
 
-std::optional<std::string_view> number_in_file(double value, NumberType type, const NumberForm& form,
+std::optional<std::string_view> number_in_file(double value, base::NumberType type, const NumberForm& form,
                                                const Printed& printed, std::span<char> room) {
   return with_type(type, [&](auto number) -> std::optional<std::string_view> {
     using Number = decltype(number);
@@ -195,7 +195,7 @@ std::optional<std::string_view> number_in_file(double value, NumberType type, co
       const char* const end = std::to_chars(room.data(), room.data() + room.size(), number).ptr;
       return std::string_view(room.data(), static_cast<std::size_t>(end - room.data()));
     }
-    std::ranges::copy(bytes_of_number(number, form.order), room.begin());
+    std::ranges::copy(base::bytes_of_number(number, form.order), room.begin());
     return std::string_view(room.data(), sizeof number);
   });
 }

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "formats/byte_order.h"
+#include "base/byte_order.h"
 #include "formats/original.h"
 #include "formats/source.h"
 #include "formats/text_cursor.h"
@@ -40,7 +40,8 @@ struct FileVectors {
   std::size_t count = 0;       ///< number of rows
   /// Returns the offsets of the row's three numbers in the file, or no_places for a row that never changes.
   std::function<Places(std::size_t row)> places = {};
-  std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
+  std::array<base::NumberType, 3> types{base::NumberType::float64, base::NumberType::float64,
+                                        base::NumberType::float64};
   /// For Rows::faces: returns the row of the face to which the corner belongs, or mesh::none.
   std::function<std::uint32_t(std::size_t corner)> row_of_corner = {};
 
@@ -82,7 +83,7 @@ struct NumberForm {
 
 /// Returns the text or bytes of a finite value for the file, or nullopt if the value exceeds the type's
 /// range. `room` must have at least 400 bytes. `printed` is for text that is not an integer.
-std::optional<std::string_view> number_in_file(double value, NumberType type, const NumberForm& form,
+std::optional<std::string_view> number_in_file(double value, base::NumberType type, const NumberForm& form,
                                                const Printed& printed, std::span<char> room);
 
 using ThreeWords = std::array<std::string_view, 3>;

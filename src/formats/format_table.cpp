@@ -1,11 +1,15 @@
 #include "formats/format_table.h"
 
 #include <algorithm>
+#include <new>
+#include <ranges>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/point_cache.h"
+#include "formats/read.h"
 
 namespace viete::formats {
 
@@ -37,6 +41,17 @@ std::string listing(bool (*is)(const Format&), std::string_view before, std::str
     if (is(f) && std::ranges::find(words, text) == words.end()) words.push_back(text);
   }
   return base::listed(words, last);
+}
+
+ReadResult by_extension(const Source& source) {
+  refuse_foreign(source.name, source.bytes);
+  const Format* named = format_by_extension(source.extension);
+  if (named && named->may_be_binary) return named->read(source);
+  const bool binary = looks_binary(source.bytes);
+  if (!binary && looks_like_obj(source)) return read_obj(source);
+  if (!binary && named && named->read) return named->read(source);
+  throw base::Error(source.name, "the file is not " + format_names(holds_surface),
+                    "export the model in one of these formats");
 }
 
 }  // namespace
@@ -101,13 +116,13 @@ const Format* format_by_extension(std::string_view extension) {
 }
 
 const Format* find_format(const std::filesystem::path& file) {
-  return format_by_extension(std::string_view(extension_of(file)));
+  return format_by_extension(std::string_view(base::extension_of(file)));
 }
 
 const Format& surface_format(const std::filesystem::path& file) {
   const Format* found = find_format(file);
   if (found && found->write) return *found;
-  const std::string extension = extension_of(file);
+  const std::string extension = base::extension_of(file);
   throw base::Error(file.string(),
                     extension.empty() ? "the file name has no extension" : "unknown extension ." + extension,
                     "use " + format_extensions(holds_surface));
@@ -151,6 +166,25 @@ bool is_a(bool (*is)(const Format&), const std::filesystem::path& file) {
 bool describes(bool (*is)(const Format&), std::string_view description) {
   const Format* found = format_of_description(description);
   return found && is(*found);
+}
+
+ReadResult read(const Source& source) {
+  try {
+    // The order is reversed, so that STL comes before OFF and PLY: a binary STL may start with any text.
+    for (const Format& format : std::views::reverse(all_formats()))
+      if (format.recognised && format.recognised(source)) return format.read(source);
+    return by_extension(source);
+  } catch (const std::bad_alloc&) {
+    throw base::Error(source.name, "the model does not fit into memory",
+                      "simplify the model or use a computer with more memory");
+  }
+}
+
+ReadResult read(const std::filesystem::path& path, base::Progress* progress, bool played) {
+  const auto bytes = std::make_shared<const base::FileBytes>(path, progress);
+  const auto folder = std::filesystem::absolute(path).parent_path();
+  return read(
+      Source{path.string(), base::extension_of(path), bytes->view(), progress, bytes, folder, played});
 }
 
 }  // namespace viete::formats

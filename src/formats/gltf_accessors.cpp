@@ -4,17 +4,17 @@
 #include <limits>
 #include <type_traits>
 
+#include "base/byte_order.h"
 #include "base/error.h"
-#include "formats/byte_order.h"
 
 namespace viete::formats {
 
 namespace {
 
 // The index is the component type minus gltf_byte. glTF does not use the entry int32.
-constexpr NumberType number_types[] = {NumberType::int8,   NumberType::uint8, NumberType::int16,
-                                       NumberType::uint16, NumberType::int32, NumberType::uint32,
-                                       NumberType::float32};
+constexpr base::NumberType number_types[] = {
+    base::NumberType::int8,  base::NumberType::uint8,  base::NumberType::int16,  base::NumberType::uint16,
+    base::NumberType::int32, base::NumberType::uint32, base::NumberType::float32};
 
 std::size_t component_size(int type) {
   const auto number = gltf_number_type(type);
@@ -28,7 +28,7 @@ bool is_unsigned(int type) {
 double number_at(const char* at, int type, bool normalized) {
   return with_type(number_types[type - gltf_byte], [&](auto number) {
     using Number = decltype(number);
-    const double value = static_cast<double>(number_of_bytes<Number>(at));
+    const double value = static_cast<double>(base::number_of_bytes<Number>(at));
     if (!normalized || !std::is_integral_v<Number> || sizeof number > 2) return value;
     return std::max(value / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
   });
@@ -36,7 +36,7 @@ double number_at(const char* at, int type, bool normalized) {
 
 }  // namespace
 
-std::optional<NumberType> gltf_number_type(int component_type) {
+std::optional<base::NumberType> gltf_number_type(int component_type) {
   const bool known = component_type >= gltf_byte && component_type <= gltf_float &&
                      component_type != gltf_unsigned_short + 1;
   return known ? std::optional(number_types[component_type - gltf_byte]) : std::nullopt;

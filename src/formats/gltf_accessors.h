@@ -9,13 +9,13 @@
 #include <tuple>
 #include <vector>
 
-#include "formats/byte_order.h"
+#include "base/byte_order.h"
 #include "formats/gltf_file.h"
 
 namespace viete::formats {
 
 /// Returns the type of a component type of the glTF specification, or nullopt for other numbers.
-std::optional<NumberType> gltf_number_type(int component_type);
+std::optional<base::NumberType> gltf_number_type(int component_type);
 
 /// Returns the number of components of a vector or scalar ("VEC3"). Returns 0 for matrices, which surfaces do
 /// not use.

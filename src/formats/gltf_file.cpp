@@ -6,9 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "base/byte_order.h"
 #include "base/encoding.h"
 #include "base/error.h"
-#include "formats/byte_order.h"
+#include "base/file_bytes.h"
 #include "formats/read.h"
 
 namespace viete::formats {
@@ -25,7 +26,7 @@ constexpr std::string_view base64_mark = ";base64,";
 }
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-  return number_of_bytes<std::uint32_t>(bytes.data() + at);
+  return base::number_of_bytes<std::uint32_t>(bytes.data() + at);
 }
 
 struct Chunks {
@@ -307,7 +308,7 @@ private:
       if (!path) fail("is not in the folder of the model: " + uri.substr(0, 200));
       buffer.path = path->lexically_normal();
       const bool again = !beside_.insert(buffer.path).second;
-      buffer.bytes = FileBytes(*path, nullptr).view();
+      buffer.bytes = base::FileBytes(*path).view();
       if (again && (repeated_ += buffer.bytes.size()) > most_repeated_bytes)
         fail("refers to the same file as other buffers, more than 256 MB in total");
     } else if (i == 0 && chunks_.binary) {

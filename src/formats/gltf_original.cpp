@@ -9,6 +9,7 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "formats/gltf_morphs.h"
 
@@ -128,7 +129,7 @@ public:
 
   std::vector<std::string> write_file(const fs::path& path, const Content& content, Digits,
                                       base::Progress* progress) const override {
-    const bool binary = extension_of(path) == "glb";
+    const bool binary = base::extension_of(path) == "glb";
     if (file_.binary == binary && has_no_external_files() && copies(content)) {
       base::replace_file(path, bytes_);
       return {};
@@ -150,7 +151,7 @@ public:
 private:
   std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
                                         base::Progress* progress) const {
-    const bool binary = extension_of(path) == "glb";
+    const bool binary = base::extension_of(path) == "glb";
     relocate_images(path, result);
     if (!binary && !file_.other_chunks.empty())
       result.notes.push_back("unknown GLB chunks are left out: .gltf files cannot contain chunks");
@@ -212,13 +213,13 @@ private:
 
   // If the new file is in another folder, changes the relative URIs of images, because images stay in place.
   void relocate_images(const fs::path& path, GltfRewritten& result) const {
-    const fs::path to = folder_of(path);
-    if (folder_of(file_.name) == to) return;
+    const fs::path to = base::folder_of(path);
+    if (base::folder_of(file_.name) == to) return;
     std::size_t changed = 0;
     for (std::size_t i = 0; i < file_.images.size(); ++i) {
       const GltfImage& image = file_.images[i];
       if (image.uri.empty() || image.file.path.empty()) continue;
-      const fs::path full = folder_of(image.file.path) / image.file.path.filename();
+      const fs::path full = base::folder_of(image.file.path) / image.file.path.filename();
       result.document["images"][i]["uri"] = encoded_uri(full.lexically_relative(to).generic_string());
       ++changed;
     }
@@ -245,7 +246,7 @@ private:
     for (const GltfBuffer& own : file_.buffers)
       if (!own.path.empty() && fs::equivalent(own.path, buffer, failed)) return false;
     if (!fs::is_regular_file(path, failed) || !fs::is_regular_file(buffer, failed)) return false;
-    const FileBytes older(path, nullptr);
+    const base::FileBytes older(path);
     return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
   }
 

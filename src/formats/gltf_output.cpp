@@ -51,6 +51,7 @@ public:
     list_normals();
     list_vertices();
     choose_origin();
+    for (const Material& material : given_.materials) add_material(material);
     for (OutputObject& object : objects_) add_object(object);
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
@@ -182,7 +183,7 @@ private:
       primitive["indices"] =
           add_accessor(indices.data(), indices.size(), 1, gltf_unsigned_int, gltf_element_buffer);
       primitive.erase("material");
-      if (material < given_.materials.size()) primitive["material"] = material_number(material);
+      if (material < given_.materials.size()) primitive["material"] = material;
       all.push_back(primitive);
     }
     for (std::size_t i = 0; i < all.size(); ++i) object.written.primitives.push_back(i);
@@ -192,13 +193,6 @@ private:
     document["nodes"].push_back({{"mesh", node}});
     if (!object.name.empty()) document["nodes"][node]["name"] = object.name;
     if (origin_ != mesh::Vec3{0, 0, 0}) document["nodes"][node]["translation"] = origin_;
-  }
-
-  // Returns the index in the document. The first use adds the material.
-  std::size_t material_number(std::uint32_t material) {
-    const auto [at, is_new] = material_numbers_.try_emplace(material, material_numbers_.size());
-    if (is_new) add_material(given_.materials[material]);
-    return at->second;
   }
 
   // Back faces are visible, because most formats cannot hide them.
@@ -305,8 +299,7 @@ private:
   std::vector<mesh::Vec3> normals_;
   std::vector<std::uint32_t> corner_normal_;  // indices into normals_
   std::vector<OutputObject> objects_;
-  // For each material or image that is used, its index in the document.
-  std::map<std::uint32_t, std::size_t> material_numbers_, image_numbers_;
+  std::map<std::uint32_t, std::size_t> image_numbers_;  // for each used image, its index in the document
 };
 
 // Replaces bytes that are not UTF-8. Names from other files may contain such bytes.

@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/atomic_file.h"
 #include "formats/attributes.h"
+#include "formats/source.h"
+#include "formats/surface_builder.h"
 
 namespace viete::formats {
 
@@ -53,8 +56,11 @@ bool make_materials_of_colors(std::size_t polygons, Attributes& attributes);
 /// the default colour or belong to images, changes nothing and returns false.
 bool make_colors_of_materials(std::size_t polygons, Attributes& attributes);
 
-/// Gives all materials different names of one line. If only some groups have materials, gives the others a
-/// new default material.
+/// Returns TextWriter::one_line() without comment marks.
+std::string name_in_library(const std::string& name);
+
+/// Gives all materials different names for a material library. If only some groups have materials, gives the
+/// others a new default material.
 void complete_materials(Attributes& attributes);
 
 /// Gives each image of a material bytes in PNG or JPEG format, and combines images of metallic and roughness
@@ -67,5 +73,27 @@ std::vector<std::string> embed_images(Attributes& attributes);
 /// Never replaces files. Removes images from the materials that cannot be read. Returns messages.
 std::vector<std::string> put_images_beside(const std::filesystem::path& model, bool all,
                                            Attributes& attributes, base::FilesTogether& files);
+
+/// A `newmtl` section.
+struct MtlMaterial {
+  Material material;                        ///< its images are indices into `maps`
+  std::vector<std::filesystem::path> maps;  ///< the files of all maps; files can be missing
+  std::set<std::string> ignored;            ///< statements of maps that are not in `material`: "disp"
+};
+
+/// Reads a material library and skips unreadable lines. source.folder must be the folder of the library.
+std::vector<MtlMaterial> read_mtl(const Source& source);
+
+struct MaterialFiles {
+  std::vector<std::filesystem::path> files;  ///< paths of all libraries and images
+  std::set<std::string> ignored;             ///< statements of maps that are not in Material
+};
+
+/// Sets the properties of the model's materials by name. `libraries` has the text after the keyword of
+/// each `mtllib` line. The text is one file name, perhaps with blanks, or several file names. Files are
+/// relative to source.folder; if source.folder is empty, does nothing. If there are materials and a library
+/// is unreadable, adds a warning.
+MaterialFiles read_materials(const Source& source, const std::vector<std::string>& libraries,
+                             Attributes& attributes, SurfaceBuilder& builder);
 
 }  // namespace viete::formats

@@ -1,10 +1,8 @@
-// Words, corners and material libraries of OBJ files.
+// Words and corners of OBJ files.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +11,6 @@
 #include "formats/materials.h"
 #include "formats/original.h"
 #include "formats/source.h"
-#include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
 
 namespace viete::formats {
@@ -54,32 +51,6 @@ struct ObjIndices {
 
 /// Parses the text after a corner's vertex index: "", "/2", "//3", "/2/3".
 ObjIndices obj_indices(std::string_view behind_vertex);
-
-/// A `newmtl` section.
-struct MtlMaterial {
-  Material material;                        ///< its images are indices into `maps`
-  std::vector<std::filesystem::path> maps;  ///< the files of all maps; files can be missing
-  std::set<std::string> ignored;            ///< statements of maps that are not in `material`: "disp"
-};
-
-/// Converts between the exponent Ns and roughness like Blender 3.4: roughness = 1 - sqrt(Ns / 1000).
-float roughness_of_exponent(double exponent);
-float exponent_of_roughness(float roughness);
-
-/// Reads a material library and skips unreadable lines. source.folder must be the folder of the library.
-std::vector<MtlMaterial> read_mtl(const Source& source);
-
-struct MaterialFiles {
-  std::vector<std::filesystem::path> files;  ///< paths of all libraries and images
-  std::set<std::string> ignored;             ///< statements of maps that are not in Material
-};
-
-/// Sets the properties of the model's materials by name. `libraries` has the text after the keyword of
-/// each `mtllib` line. The text is one file name, perhaps with blanks, or several file names. Files are
-/// relative to source.folder; if source.folder is empty, does nothing. If there are materials and a library
-/// is unreadable, adds a warning.
-MaterialFiles read_materials(const Source& source, const std::vector<std::string>& libraries,
-                             Attributes& attributes, SurfaceBuilder& builder);
 
 /// Returns an original that writes the file again with other positions. Moved coordinates get as many
 /// decimals as in the file, but at least six significant digits relative to the model's diagonal. If the

@@ -278,8 +278,8 @@ public:
   void before(std::size_t polygon, TextWriter& out) {
     if (next_ == groups_.size() || groups_[next_].first_polygon != polygon) return;
     const Group& group = groups_[next_++];
-    if (group.object != now_.object) out.text("o ").text(TextWriter::one_line(group.object)).text("\n");
-    if (group.name != now_.name) out.text("g ").text(TextWriter::one_line(group.name)).text("\n");
+    if (group.object != now_.object) out.text("o ").text(name_in_library(group.object)).text("\n");
+    if (group.name != now_.name) out.text("g ").text(name_in_library(group.name)).text("\n");
     if (with_materials_ && group.material != now_.material && group.material != mesh::none)
       out.text("usemtl ").text(materials_[group.material].name).text("\n");
     if (group.smooth != now_.smooth) out.text(group.smooth ? "s 1\n" : "s off\n");
@@ -294,33 +294,7 @@ private:
   Group now_;
 };
 
-void put_color(std::string_view statement, const Color& color, TextWriter& out) {
-  out.text(statement);
-  for (std::size_t k = 0; k < 3; ++k) out.text(" ").number(color[k]);
-  out.text("\n");
-}
-
 }  // namespace
-
-void write_mtl(const Attributes& a, TextWriter& out) {
-  for (const Material& m : a.materials) {
-    out.text("newmtl ").text(m.name).text("\n");
-    put_color("Kd", m.base_color, out);
-    put_color("Ke", m.emission, out);
-    out.text("d ").number(m.base_color[3]).text("\n");
-    out.text("Ns ").number(exponent_of_roughness(m.roughness)).text("\n");
-    for (const MaterialNumber& property : material_numbers)
-      out.text(property.mtl).text(" ").number(m.*property.number).text("\n");
-    const std::string_view clamp = m.repeats ? "" : " -clamp on";
-    const auto map = [&](std::string_view statement, std::uint32_t image) {
-      if (image != mesh::none)
-        out.text(statement).text(clamp).text(" ").text(a.images[image].name).text("\n");
-    };
-    for (const MaterialImage& property : material_images) map(property.mtl, m.*property.image);
-    map("norm", m.normal_image);
-    if (m.is_translucent) map("map_d", m.base_color_image);
-  }
-}
 
 void write_obj(const Content& content, TextWriter& out) {
   const mesh::Surface& surface = content.surface;

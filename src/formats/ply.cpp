@@ -1,3 +1,4 @@
+#include "base/file_bytes.h"
 #include "formats/codecs.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ namespace {
 
 // Returns the factor that maps colour values of this type to 0..1. Integers of more than two bytes use 1/255,
 // because some text files declare bytes as wider integers.
-double part_of_largest(NumberType type) {
+double part_of_largest(base::NumberType type) {
   return with_type(type, [](auto number) {
     using Number = decltype(number);
     if (!std::is_integral_v<Number>) return 1.0;
@@ -232,7 +233,8 @@ private:
         const char* from = bytes.data() + begin * row + element.bytes_before(axes[k]);
         with_type(element.properties[axes[k]].type, [&](auto number) {
           for (std::size_t i = begin; i < end; ++i, from += row) {
-            positions[i][k] = static_cast<double>(number_of_bytes<decltype(number)>(from, header_.order()));
+            positions[i][k] =
+                static_cast<double>(base::number_of_bytes<decltype(number)>(from, header_.order()));
             if (!(std::abs(positions[i][k]) <= mesh::largest_coordinate)) valid = false;
           }
         });
@@ -262,9 +264,9 @@ private:
     base::for_blocks(element.count, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const char* from = bytes.data() + i * row;
-        bool fits = number_of_bytes(from, *list.list_size, header_.order()) == 3;
+        bool fits = base::number_of_bytes(from, *list.list_size, header_.order()) == 3;
         for (std::size_t k = 0; k < 3; ++k) {
-          const double v = number_of_bytes(from + first + k * size, list.type, header_.order());
+          const double v = base::number_of_bytes(from + first + k * size, list.type, header_.order());
           fits = fits && v >= 0 && v < static_cast<double>(vertex_count_) && v == std::floor(v);
           s.corners[3 * i + k] = fits ? static_cast<std::uint32_t>(v) : 0;
         }
@@ -359,7 +361,7 @@ private:
     }
     for (const std::string& image : header_.texture_files) {
       if (source_.folder.empty()) break;
-      const auto path = path_beside(source_.folder, image);
+      const auto path = base::path_beside(source_.folder, image);
       Material material{path.stem().string(), {1, 1, 1, 1}};
       material.base_color_image = static_cast<std::uint32_t>(found_.images.size());
       found_.images.push_back({path, nullptr, path.filename().string()});
@@ -443,7 +445,7 @@ private:
   std::size_t first_row_ = 0;                      // offset of the first vertex of a capture
   std::vector<Column> columns_;                    // one per property of the current element
   std::size_t vertex_count_ = 0;
-  NumberType index_type_ = NumberType::int32;
+  base::NumberType index_type_ = base::NumberType::int32;
   // The next five members belong to the current row.
   mesh::Vec3 normal_{0, 0, 0};
   std::array<double, 4> color_{};

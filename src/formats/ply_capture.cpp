@@ -95,7 +95,7 @@ public:
   double rounding() const { return rounding_; }
 
 private:
-  NumberType type(std::size_t property) const { return file_.vertices.properties[property].type; }
+  base::NumberType type(std::size_t property) const { return file_.vertices.properties[property].type; }
 
   void learn() {
     constexpr std::size_t enough = 10'000;
@@ -128,9 +128,10 @@ private:
   }
 
   std::string_view written(const Change& change, std::size_t source) {
-    const NumberType type = this->type(change.property);
+    const base::NumberType type = this->type(change.property);
     const bool all_digits = !change.is_position && out_.digits().kind != Digits::Kind::decimals;
-    if (file_.form.text && all_digits && (type == NumberType::float32 || type == NumberType::float64)) {
+    if (file_.form.text && all_digits &&
+        (type == base::NumberType::float32 || type == base::NumberType::float64)) {
       char* const end = std::to_chars(room_.data(), room_.data() + room_.size(), float(change.value)).ptr;
       return {room_.data(), static_cast<std::size_t>(end - room_.data())};
     }
@@ -140,7 +141,7 @@ private:
                         "the new value of " + file_.vertices.properties[change.property].name +
                             " exceeds the range of its number type in this file",
                         "save in another format, or scale the model");
-    if (change.is_position && type == NumberType::float32)
+    if (change.is_position && type == base::NumberType::float32)
       rounding_ = std::max(rounding_, std::abs(static_cast<float>(change.value) - change.value));
     return *words;
   }
@@ -265,7 +266,7 @@ void read_splats(const PlySplats& found, const PlyElement& vertices, std::string
           with_type(vertices.properties[found.properties[c]].type, [&](auto number) {
             for (std::size_t v = begin; v < end; ++v)
               columns[c][v] =
-                  static_cast<float>(number_of_bytes<decltype(number)>(first + v * row_bytes, order));
+                  static_cast<float>(base::number_of_bytes<decltype(number)>(first + v * row_bytes, order));
           });
         }
       },

@@ -11,16 +11,19 @@ namespace viete::formats {
 
 namespace {
 
-NumberType type_named(TextCursor& text) {
-  static const std::map<std::string_view, NumberType> types = {
-      {"char", NumberType::int8},      {"int8", NumberType::int8},       {"uchar", NumberType::uint8},
-      {"uint8", NumberType::uint8},    {"short", NumberType::int16},     {"int16", NumberType::int16},
-      {"ushort", NumberType::uint16},  {"uint16", NumberType::uint16},   {"int", NumberType::int32},
-      {"int32", NumberType::int32},    {"uint", NumberType::uint32},     {"uint32", NumberType::uint32},
-      {"long", NumberType::int64},     {"int64", NumberType::int64},     {"ulong", NumberType::uint64},
-      {"uint64", NumberType::uint64},  {"longlong", NumberType::int64},  {"ulonglong", NumberType::uint64},
-      {"float", NumberType::float32},  {"float32", NumberType::float32}, {"double", NumberType::float64},
-      {"float64", NumberType::float64}};
+base::NumberType type_named(TextCursor& text) {
+  static const std::map<std::string_view, base::NumberType> types = {
+      {"char", base::NumberType::int8},      {"int8", base::NumberType::int8},
+      {"uchar", base::NumberType::uint8},    {"uint8", base::NumberType::uint8},
+      {"short", base::NumberType::int16},    {"int16", base::NumberType::int16},
+      {"ushort", base::NumberType::uint16},  {"uint16", base::NumberType::uint16},
+      {"int", base::NumberType::int32},      {"int32", base::NumberType::int32},
+      {"uint", base::NumberType::uint32},    {"uint32", base::NumberType::uint32},
+      {"long", base::NumberType::int64},     {"int64", base::NumberType::int64},
+      {"ulong", base::NumberType::uint64},   {"uint64", base::NumberType::uint64},
+      {"longlong", base::NumberType::int64}, {"ulonglong", base::NumberType::uint64},
+      {"float", base::NumberType::float32},  {"float32", base::NumberType::float32},
+      {"double", base::NumberType::float64}, {"float64", base::NumberType::float64}};
   const std::string_view word = text.word();
   const auto found = types.find(word);
   if (found == types.end()) text.fail(in_quotes(word) + " is not a PLY type", "export the model again");
@@ -191,7 +194,7 @@ PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder
   return header;
 }
 
-double PlyValues::coordinate(NumberType type) {
+double PlyValues::coordinate(base::NumberType type) {
   if (is_text_) return next_word().coordinate();
   const double number = value(type);
   if (!(std::abs(number) <= mesh::largest_coordinate))
@@ -199,7 +202,7 @@ double PlyValues::coordinate(NumberType type) {
   return number;
 }
 
-std::int64_t PlyValues::integer(NumberType type) {
+std::int64_t PlyValues::integer(base::NumberType type) {
   if (is_text_) return next_word().integer("whole number");
   const double number = value(type);
   if (!(std::abs(number) < 9e15) || number != std::floor(number))
@@ -207,12 +210,12 @@ std::int64_t PlyValues::integer(NumberType type) {
   return static_cast<std::int64_t>(number);
 }
 
-double PlyValues::value(NumberType type) {
+double PlyValues::value(base::NumberType type) {
   const std::string_view word = next(type);
-  return is_text_ ? number_in(word).value_or(std::nan("")) : number_of_bytes(word.data(), type, order_);
+  return is_text_ ? number_in(word).value_or(std::nan("")) : base::number_of_bytes(word.data(), type, order_);
 }
 
-std::string_view PlyValues::next(NumberType type) {
+std::string_view PlyValues::next(base::NumberType type) {
   if (is_text_) return next_word().word();
   const std::size_t size = size_of(type);
   if (at_.size() < size) fail("the file ends here", "it seems to be truncated: export or copy it again");

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/byte_order.h"
+#include "base/byte_order.h"
 #include "formats/source.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
@@ -18,8 +18,8 @@ namespace viete::formats {
 
 struct PlyProperty {
   std::string name;
-  NumberType type = NumberType::float32;  ///< type of the value, or of the items of a list
-  std::optional<NumberType> list_size;    ///< type of the list's length; nullopt for a single value
+  base::NumberType type = base::NumberType::float32;  ///< type of the value, or of the items of a list
+  std::optional<base::NumberType> list_size;  ///< type of the list's length; nullopt for a single value
 };
 
 struct PlyElement {
@@ -83,17 +83,17 @@ public:
 
   /// Returns the offset of the next value in the file.
   std::size_t place() { return is_text_ ? next_word().offset() : source_.bytes.size() - at_.size(); }
-  double coordinate(NumberType type);
-  std::int64_t integer(NumberType type);
+  double coordinate(base::NumberType type);
+  std::int64_t integer(base::NumberType type);
   /// Returns NaN or infinity if the value is not a finite number.
-  double value(NumberType type);
-  void skip(NumberType type) { next(type); }
+  double value(base::NumberType type);
+  void skip(base::NumberType type) { next(type); }
 
   /// Returns the rest of a binary body, or nothing for text.
   std::string_view bytes() const { return is_text_ ? std::string_view() : at_; }
   void skip_bytes(std::size_t count) { at_.remove_prefix(count); }
 
-  std::size_t most_values(NumberType type) const {
+  std::size_t most_values(base::NumberType type) const {
     return is_text_ ? text_.bytes_left() / 2 + 1 : at_.size() / size_of(type);
   }
   double done() const {
@@ -107,7 +107,7 @@ private:
     text_.need_word("the last value");
     return text_;
   }
-  std::string_view next(NumberType type);
+  std::string_view next(base::NumberType type);
 
   const Source& source_;
   TextCursor text_;

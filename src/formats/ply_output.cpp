@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -60,25 +60,20 @@ public:
     }
     if (!a_.polygon_colors.empty()) color(a_.polygon_colors[p]);
     while (group_ + 1 < a_.groups.size() && a_.groups[group_ + 1].first_polygon <= p) ++group_;
-    if (!images_.empty()) out_.little_endian(image_number(a_.groups[group_]));
+    if (!images_.empty()) out_.little_endian(numbers_[group_]);
   }
 
 private:
   // Lists the images that are used. MeshLab writes their numbers to `texnumber`, and -1 for no image.
   void number_images() {
+    std::map<std::uint32_t, std::size_t> numbers;
     for (const Group& group : a_.groups) {
-      const std::uint32_t image = image_of(group);
-      if (image != mesh::none && std::ranges::find(images_, image) == images_.end()) images_.push_back(image);
+      const std::uint32_t image =
+          group.material == mesh::none ? mesh::none : a_.materials[group.material].base_color_image;
+      const auto [at, is_new] = numbers.try_emplace(image, images_.size());
+      if (is_new && image != mesh::none) images_.push_back(image);
+      numbers_.push_back(image == mesh::none ? -1 : static_cast<std::int32_t>(at->second));
     }
-  }
-
-  std::uint32_t image_of(const Group& group) const {
-    return group.material == mesh::none ? mesh::none : a_.materials[group.material].base_color_image;
-  }
-
-  std::int32_t image_number(const Group& group) const {
-    const auto at = std::ranges::find(images_, image_of(group));
-    return at == images_.end() ? -1 : static_cast<std::int32_t>(at - images_.begin());
   }
 
   void color_header() {
@@ -108,6 +103,7 @@ private:
   std::optional<std::vector<std::uint32_t>> normals_, texture_;
   bool faces_textured_ = false, large_ = false;
   std::vector<std::uint32_t> images_;  // indices into Attributes::images, in the order of the header
+  std::vector<std::int32_t> numbers_;  // for each group the number of its image, or -1
   std::size_t group_ = 0;              // of the current face
 };
 

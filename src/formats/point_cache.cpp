@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "formats/source.h"
 #include "formats/text_writer.h"
@@ -32,7 +33,7 @@ std::endian order_of(PointCacheFormat format) {
 std::string bytes_of(const PointCacheHead& head) {
   std::string all;
   const auto put = [&](auto number) {
-    const auto raw = bytes_of_number(number, order_of(head.format));
+    const auto raw = base::bytes_of_number(number, order_of(head.format));
     all.append(raw.data(), raw.size());
   };
   const auto points = static_cast<std::uint32_t>(head.points),
@@ -75,7 +76,7 @@ std::string cache_size_text(std::int64_t points, std::int64_t frames) {
 }  // namespace
 
 std::optional<PointCacheFormat> point_cache_format(const fs::path& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = base::extension_of(path);
   if (extension == "pc2") return PointCacheFormat::pc2;
   if (extension == "mdd") return PointCacheFormat::mdd;
   return std::nullopt;
@@ -98,7 +99,7 @@ void write_point_cache(const fs::path& path, const PointCacheHead& wished,
       for (std::size_t i = 0; i < positions.size(); i += 3)
         check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
       std::ranges::transform(positions, ordered.begin(),
-                             [&](float x) { return bytes_of_number(x, order_of(head.format)); });
+                             [&](float x) { return base::bytes_of_number(x, order_of(head.format)); });
       sink({reinterpret_cast<const char*>(ordered.data()), positions.size_bytes()});
     }
   });
@@ -109,7 +110,7 @@ PointCache::PointCache(const fs::path& path) : name_(path.string()) {
     std::ifstream file;
     std::mutex mutex;
   };
-  const std::size_t size = regular_file_size(path);
+  const std::size_t size = base::regular_file_size(path);
   const std::shared_ptr<Open> open(new Open{std::ifstream(path, std::ios::binary), {}});
   read_ = [open, name = name_](std::uint64_t offset, std::span<char> to) {
     const std::lock_guard lock(open->mutex);
@@ -144,13 +145,13 @@ void PointCache::read_pc2_head(std::uint64_t size) {
     throw base::Error(name_, "the file ends within the PC2 header", "export the point cache again");
   std::vector<char> head(pc2_head_size);
   read_(0, head);
-  const auto points = number_of_bytes<std::int32_t>(&head[16]),
-             samples = number_of_bytes<std::int32_t>(&head[28]);
+  const auto points = base::number_of_bytes<std::int32_t>(&head[16]),
+             samples = base::number_of_bytes<std::int32_t>(&head[28]);
   if (points <= 0 || samples <= 0)
     throw base::Error(name_, "the PC2 header declares " + cache_size_text(points, samples),
                       "export the point cache again");
   head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(samples),
-           number_of_bytes<float>(&head[20]), number_of_bytes<float>(&head[24])};
+           base::number_of_bytes<float>(&head[20]), base::number_of_bytes<float>(&head[24])};
   first_frame_ = pc2_head_size;
   const std::uint64_t whole = (size - first_frame_) / (12 * head_.points);
   if (whole < head_.frames)
@@ -170,8 +171,8 @@ void PointCache::read_mdd_head(std::uint64_t size) {
   constexpr auto format = PointCacheFormat::mdd;
   std::vector<char> head(mdd_head_size, 0);
   if (size >= mdd_head_size) read_(0, head);
-  const auto frames = number_of_bytes<std::int32_t>(&head[0], std::endian::big),
-             points = number_of_bytes<std::int32_t>(&head[4], std::endian::big);
+  const auto frames = base::number_of_bytes<std::int32_t>(&head[0], std::endian::big),
+             points = base::number_of_bytes<std::int32_t>(&head[4], std::endian::big);
   if (frames <= 0 || points <= 0)
     throw base::Error(name_, "this is neither a PC2 nor an MDD point cache",
                       "check that it is the right file");
@@ -186,7 +187,7 @@ void PointCache::read_mdd_head(std::uint64_t size) {
   read_(mdd_head_size, times);
   head_.seconds.resize(head_.frames);
   for (std::size_t i = 0; i < head_.frames; ++i) {
-    head_.seconds[i] = number_of_bytes<float>(&times[4 * i], std::endian::big);
+    head_.seconds[i] = base::number_of_bytes<float>(&times[4 * i], std::endian::big);
     if (!std::isfinite(head_.seconds[i]))
       throw base::Error(name_ + ": frame " + std::to_string(i), "the time is not finite",
                         "export the point cache again");
@@ -200,7 +201,7 @@ std::vector<mesh::Point> PointCache::frame(std::size_t number) const {
   std::vector<mesh::Point> points(head_.points);
   for (std::size_t v = 0; v < points.size(); ++v) {
     for (std::size_t k = 0; k < 3; ++k)
-      points[v][k] = number_of_bytes<float>(&bytes[12 * v + 4 * k], order_of(head_.format));
+      points[v][k] = base::number_of_bytes<float>(&bytes[12 * v + 4 * k], order_of(head_.format));
     if (!is_place(points[v]))
       throw base::Error(name_ + ": frame " + std::to_string(number),
                         "the position of point " + std::to_string(v) + " is not a finite number up to 1e100",

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/os.h"
 #include "base/worker_pool.h"
 
@@ -16,23 +17,6 @@ namespace viete::formats {
 namespace fs = std::filesystem;
 
 namespace {
-
-base::os::InputFile open(const fs::path& path) {
-  try {
-    return base::os::InputFile(path);
-  } catch (const std::system_error& error) {
-    throw base::Error(path.string(), "cannot be opened: " + error.code().message());
-  }
-}
-
-std::unique_ptr<char[]> allocate(const fs::path& path, std::size_t size) {
-  try {
-    return std::make_unique_for_overwrite<char[]>(size);
-  } catch (const std::bad_alloc&) {
-    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
-                      "reduce the model or use a larger machine");
-  }
-}
 
 using namespace std::string_view_literals;
 
@@ -118,11 +102,11 @@ constexpr Signature captures[] = {
     {"lcc"sv, "a capture (Gaussian splats) in an .lcc file"sv, export_splats}};
 
 bool begins(std::string_view bytes, std::string_view signature) {
-  return lower_case(bytes.substr(0, signature.size())) == lower_case(signature);
+  return base::lower_case(bytes.substr(0, signature.size())) == base::lower_case(signature);
 }
 
 bool holds(std::string_view bytes, std::string_view signature) {
-  return lower_case(bytes).find(lower_case(signature)) != std::string::npos;
+  return base::lower_case(bytes).find(base::lower_case(signature)) != std::string::npos;
 }
 
 const Signature* signature_of(std::string_view bytes) {
@@ -142,49 +126,8 @@ const Signature* signature_of(std::string_view bytes) {
 
 }  // namespace
 
-std::size_t regular_file_size(const fs::path& path) {
-  if (path.empty()) throw base::Error("file name", "is empty", "choose a file");
-  if (base::os::is_device_name(path))
-    throw base::Error(path.string(), "Windows keeps this name for a device", "rename the file");
-  std::error_code code;
-  const fs::file_status status = fs::status(path, code);
-  if (status.type() == fs::file_type::not_found)
-    throw base::Error(path.string(), "there is no such file", "check the path");
-  if (status.type() == fs::file_type::directory)
-    throw base::Error(path.string(), "this is a folder", "choose a file in it");
-  if (code) {
-    const bool circle = code == std::errc::too_many_symbolic_link_levels;
-    throw base::Error(path.string(), "cannot be opened: " + code.message(),
-                      circle ? "the link refers to itself: choose the file" : "check the permissions");
-  }
-  if (status.type() != fs::file_type::regular)
-    throw base::Error(path.string(), "this is not a regular file", "copy the data into a file first");
-  const auto size = fs::file_size(path, code);
-  if (code) throw base::Error(path.string(), "cannot be opened: " + code.message());
-  return static_cast<std::size_t>(size);
-}
-
 std::string Source::place(std::string_view element, std::size_t index) const {
   return name + ": " + std::string(element) + " " + std::to_string(index);
-}
-
-FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t most) {
-  const std::size_t size = regular_file_size(path);
-  if (size > most)
-    throw base::Error(path.string(), "has more than " + std::to_string(most >> 20) + " MB",
-                      "check that it is the right file");
-  const base::os::InputFile file = open(path);
-  bytes_ = allocate(path, size);
-  constexpr std::size_t step = 64 << 20, block = 1 << 20;
-  std::atomic<bool> complete = true;
-  for (; size_ < size; size_ = std::min(size, size_ + step)) {
-    if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));
-    const auto read = [&](std::size_t begin, std::size_t end) {
-      if (!file.read(size_ + begin, bytes_.get() + size_ + begin, end - begin)) complete = false;
-    };
-    base::for_blocks(std::min(step, size - size_), read, block);
-  }
-  if (!complete) throw base::Error(path.string(), "cannot be read completely", "check the disk");
 }
 
 Beginning::Beginning(const fs::path& file) {
@@ -203,40 +146,13 @@ Source Beginning::whole_lines() const {
   return {"", "", bytes().substr(0, last)};
 }
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-  return lower;
-}
-
-std::string extension_of(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  return lower_case(extension.empty() ? extension : extension.substr(1));
-}
-
-fs::path folder_of(const fs::path& file) {
-  return fs::weakly_canonical(fs::absolute(file).parent_path());
-}
-
-bool is_file_below(const fs::path& folder, const fs::path& file) {
-  std::error_code code;
-  const fs::path real = fs::weakly_canonical(file, code);
-  return !code && fs::is_regular_file(real, code) && std::ranges::mismatch(folder, real).in1 == folder.end();
-}
-
-std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name) {
-  std::string slashed(name);
-  std::replace(slashed.begin(), slashed.end(), '\\', '/');
-  return (folder / slashed).lexically_normal();
-}
-
 void refuse_foreign(const std::string& name, std::string_view bytes) {
   if (bytes.empty()) throw base::Error(name, "the file is empty", "export or copy it again");
   if (bytes.find_first_not_of('\0') == std::string_view::npos)
     throw base::Error(name, "the file contains only zero bytes, probably after an interrupted write",
                       "export or copy it again");
   const Signature* is = signature_of(bytes);
-  const auto capture = std::ranges::find(captures, extension_of(name), &Signature::begins);
+  const auto capture = std::ranges::find(captures, base::extension_of(name), &Signature::begins);
   if (capture != std::end(captures) && (!is || bytes.starts_with("PK"))) is = capture;
   if (is) throw base::Error(name, "this is " + std::string(is->what), std::string(is->advice));
 }

@@ -34,24 +34,6 @@ struct Source {
   std::string place(std::string_view element, std::size_t index) const;
 };
 
-/// Throws base::Error if the file is missing or not a regular file. (Reading a pipe might never end.)
-std::size_t regular_file_size(const std::filesystem::path& path);
-
-/// A whole file in memory.
-class FileBytes {
-public:
-  /// Throws base::Error like regular_file_size(), and also if the file exceeds `most` bytes, is unreadable or
-  /// does not fit in memory. Throws base::Cancelled.
-  FileBytes(const std::filesystem::path& path, base::Progress* progress,
-            std::size_t most = std::numeric_limits<std::size_t>::max());
-
-  std::string_view view() const { return {bytes_.get(), size_}; }
-
-private:
-  std::unique_ptr<char[]> bytes_;
-  std::size_t size_ = 0;
-};
-
 /// The first bytes of a file, as many as format detection needs.
 class Beginning {
 public:
@@ -68,21 +50,6 @@ private:
   std::string bytes_;
   std::uint64_t file_size_ = 0;
 };
-
-/// Converts ASCII letters to lower case.
-std::string lower_case(std::string_view text);
-
-/// Returns the extension in lower case, without the dot.
-std::string extension_of(const std::filesystem::path& path);
-
-/// Returns the canonical path of the folder that contains the file.
-std::filesystem::path folder_of(const std::filesystem::path& file);
-
-/// Returns true for a regular file in the canonical folder or below, after following links.
-bool is_file_below(const std::filesystem::path& folder, const std::filesystem::path& file);
-
-/// Resolves a name relative to the folder. Accepts backslashes, because programs on Windows write them.
-std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name);
 
 /// If the file is empty or of a known kind that cannot be read (a compressed file, a web page, a Blender
 /// file, ...), throws base::Error with advice. `bytes` is the beginning of the file.

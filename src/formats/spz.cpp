@@ -124,8 +124,8 @@ SpzLayout spz_layout(const Source& source, const std::string& header) {
   if (header.size() < spz_header_bytes)
     throw base::Error(source.name, "the file ends within its header", "export or copy it again");
   SpzLayout layout;
-  layout.version = number_of_bytes<std::uint32_t>(header.data() + 4);
-  layout.count = number_of_bytes<std::uint32_t>(header.data() + 8);
+  layout.version = base::number_of_bytes<std::uint32_t>(header.data() + 4);
+  layout.count = base::number_of_bytes<std::uint32_t>(header.data() + 8);
   layout.file_degree = static_cast<std::uint8_t>(header[12]);
   layout.fractional_bits = static_cast<std::uint8_t>(header[13]);
   layout.flags = static_cast<std::uint8_t>(header[14]);
@@ -253,7 +253,7 @@ mesh::Splats unpacked_spz(const SpzLayout& layout, const char* bytes) {
       const char* const rotation = bytes + layout.rotations() + layout.rotation_bytes() * v;
       splats.rotations[v] = layout.version == 2
                                 ? quaternion_of_bytes(rotation)
-                                : quaternion_of_word(number_of_bytes<std::uint32_t>(rotation));
+                                : quaternion_of_word(base::number_of_bytes<std::uint32_t>(rotation));
       for (std::size_t i = 0; i < 4; ++i) splats.rotations[v][i] *= static_cast<float>(quaternion_signs[i]);
       const char* const harmonics = bytes + layout.first_harmonic() + 3 * layout.harmonics() * v;
       for (std::size_t color = 0; color < 3; ++color)
@@ -272,7 +272,7 @@ public:
       : name_(name), layout_(layout), content_(content), bytes_(layout.end(), '\0') {
     std::string header = "NGSP";
     for (const auto number : {layout.version, static_cast<std::uint32_t>(layout.count)}) {
-      const auto raw = bytes_of_number(number);
+      const auto raw = base::bytes_of_number(number);
       header.append(raw.data(), raw.size());
     }
     for (const int byte : {layout.file_degree, layout.fractional_bits, int{layout.flags}, 0})
@@ -356,7 +356,7 @@ private:
     for (std::size_t i = 0; i < 4; ++i) q[i] *= static_cast<float>(quaternion_signs[i]);
     char* const to = &bytes_[layout_.rotations() + layout_.rotation_bytes() * v];
     if (layout_.version == 2) return put_quaternion(q, to);
-    std::ranges::copy(bytes_of_number(word_of(q)), to);
+    std::ranges::copy(base::bytes_of_number(word_of(q)), to);
   }
 
   const std::string& name_;

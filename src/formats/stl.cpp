@@ -1,3 +1,4 @@
+#include "base/file_bytes.h"
 #include "formats/codecs.h"
 
 #include <algorithm>
@@ -19,20 +20,20 @@ constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // sizes in a binar
 
 // Returns at most 16 letters, in lower case. All keywords are shorter.
 std::string lower_stl_word(std::string_view word) {
-  return lower_case(word.substr(0, 16));
+  return base::lower_case(word.substr(0, 16));
 }
 
 // Returns false if the numbers are so large or so small that the bytes are probably not a triangle.
 bool is_plausible(const char* triangle) {
   for (std::size_t i = 0; i < 12; ++i) {
-    const double size = std::abs(number_of_bytes<float>(triangle + 4 * i));
+    const double size = std::abs(base::number_of_bytes<float>(triangle + 4 * i));
     if (size != 0 && !(size > 1e-37 && size < (i < 3 ? 1e6 : 1e30))) return false;
   }
   return true;
 }
 
 std::size_t announced(std::string_view bytes) {
-  return number_of_bytes<std::uint32_t>(bytes.data() + 80);
+  return base::number_of_bytes<std::uint32_t>(bytes.data() + 80);
 }
 
 bool is_exact_binary(const Source& source) {
@@ -67,7 +68,7 @@ bool follow_attributes(std::string_view bytes, Layout& layout) {
     if (bytes.size() - at < triangle_bytes) return false;
     starts.push_back(at);
     at += triangle_bytes;
-    const std::uint16_t more = number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
+    const std::uint16_t more = base::number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
     if (bytes.size() - at < more) return false;
     at += more;
   }
@@ -139,14 +140,14 @@ ReadResult read_binary(const Source& source) {
     const char* const at = source.bytes.data() + layout->offset(t) + 12;
     for (int c = 0; c < 3; ++c) {
       mesh::Point p{};
-      for (int i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(at + 12 * c + 4 * i);
+      for (int i = 0; i < 3; ++i) p[i] = base::number_of_bytes<float>(at + 12 * c + 4 * i);
       if (!std::isfinite(p[0] + p[1] + p[2]))
         throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
                           "repair the triangle");
       corners.add(p);
     }
     builder.end_polygon();
-    has_attributes |= number_of_bytes<std::uint16_t>(at + 36) != 0;
+    has_attributes |= base::number_of_bytes<std::uint16_t>(at + 36) != 0;
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
   if (!layout->starts.empty()) builder.warn(source.name + ": ignored the attributes of triangles");
@@ -161,7 +162,7 @@ ReadResult read_binary(const Source& source) {
   if (has_attributes) file.beyond_attributes.emplace_back("attributes of triangles");
   for (FileVectors& vectors : file.vectors) {
     const bool normals = vectors.kind == FileVectors::Kind::normals;
-    vectors.types.fill(NumberType::float32);
+    vectors.types.fill(base::NumberType::float32);
     vectors.count = normals ? triangles : 3 * triangles;
     vectors.places = [layout, normals](std::size_t row) {
       const std::size_t at = normals ? layout->offset(row) : layout->offset(row / 3) + 12 + 12 * (row % 3);
@@ -253,7 +254,7 @@ bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   for (std::size_t t = 0; t < count && at + triangle_bytes <= beginning.size(); ++t) {
     if (!is_plausible(beginning.data() + at)) return false;
     at += triangle_bytes;
-    at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
+    at += base::number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
   }
   return true;
 }

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/byte_order.h"
 #include "base/progress.h"
 #include "formats/attributes.h"
-#include "formats/byte_order.h"
 #include "mesh/splats.h"
 #include "mesh/surface.h"
 
@@ -79,7 +79,7 @@ public:
 
   template <class Number>
   TextWriter& little_endian(Number value) {
-    const auto raw = bytes_of_number(value);
+    const auto raw = base::bytes_of_number(value);
     return text({raw.data(), raw.size()});
   }
 

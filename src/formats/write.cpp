@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/text.h"
 #include "formats/codecs.h"
 #include "formats/format_table.h"
@@ -18,8 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 template <class Fill>
-void write_as(const std::filesystem::path& path, Digits digits, base::Progress* progress, const Fill& fill) {
-  base::replace_file(path, [&](const base::ByteSink& sink) {
+void put_text(base::FilesTogether& files, const fs::path& path, Digits digits, base::Progress* progress,
+              const Fill& fill) {
+  files.put(path, [&](const base::ByteSink& sink) {
     TextWriter out(sink, progress, digits);
     fill(out);
     out.finish();
@@ -144,12 +146,8 @@ void put_materials(const fs::path& path, const Format& format, Attributes& a, ba
   TextWriter out([&](std::string_view bytes) { text += bytes; });
   format.write_library(a, out);
   out.finish();
-  const fs::path file = base::unused_name(
-      path.parent_path() / (library_stem(path) + "." + std::string(format.library_extension)),
-      [&](const fs::path& old) { return FileBytes(old, nullptr).view() == text; });
-  library = file.filename().string();
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) files.put(file, [&](const base::ByteSink& sink) { sink(text); });
+  const std::string name = name_in_library(library_stem(path)) + "." + std::string(format.library_extension);
+  library = files.put_new(path.parent_path() / name, text).filename().string();
 }
 
 [[noreturn]] void refuse_splats(const fs::path& file, const char* advice) {
@@ -159,11 +157,11 @@ void put_materials(const fs::path& path, const Format& format, Attributes& a, ba
                     advice);
 }
 
-// Copies external files to the folder of the new file. Adds the copies to `written`. Does not copy files
-// outside the old folder, and does not overwrite files. Returns messages for the user.
-std::vector<std::string> copy_companions(const fs::path& model, const Companions& companions,
-                                         std::vector<fs::path>& written) {
-  if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};
+// Copies external files to the folder of the new file. Does not copy files outside the old folder, and does
+// not overwrite files. Returns messages for the user.
+std::vector<std::string> put_companions(const fs::path& model, const Companions& companions,
+                                        base::FilesTogether& files) {
+  if (fs::weakly_canonical(companions.folder) == base::folder_of(model)) return {};
   std::set<std::string> copied, others, stayed;
   for (const fs::path& file : companions.files) {
     const fs::path name = file.lexically_relative(companions.folder), path = model.parent_path() / name;
@@ -173,15 +171,12 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
       stayed.insert(file.string());
       continue;
     }
-    const FileBytes bytes(file, nullptr);
+    const base::FileBytes bytes(file);
     const bool is_new = !fs::exists(fs::symlink_status(path, code));
-    const bool is_there = !is_new && fs::file_size(path, code) == bytes.view().size() && !code &&
-                          FileBytes(path, nullptr).view() == bytes.view();
-    (is_new || is_there ? copied : others).insert(name.string());
+    (is_new || base::has_bytes(path, bytes.view()) ? copied : others).insert(name.string());
     if (!is_new) continue;
-    fs::create_directories(path.parent_path(), code);  // if this fails, replace_file() throws
-    base::replace_file(path, bytes.view());
-    written.push_back(path);
+    fs::create_directories(path.parent_path(), code);  // if this fails, put() throws
+    files.put(path, [&](const base::ByteSink& sink) { sink(bytes.view()); });
   }
   std::vector<std::string> notes;
   const auto tell = [&](const char* what, const std::set<std::string>& names) {
@@ -191,6 +186,21 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
   tell("copied files to which the model refers: ", copied);
   tell("not copied, because different files with these names exist: ", others);
   tell("not copied, because they are not in the folder of the model: ", stayed);
+  return notes;
+}
+
+// Writes a new file with put(content, out), and its materials. Returns messages for the user.
+template <class Put>
+std::vector<std::string> write_new(const fs::path& path, const Content& content, const Original* original,
+                                   Digits digits, base::Progress* progress, const Put& put) {
+  const Format& format = surface_format(path);
+  std::vector<std::string> notes;
+  Attributes now = converted(format, content, original, notes);
+  Content what{content.surface, content.positions, content.comments, &now, content.splats};
+  base::FilesTogether files;
+  put_materials(path, format, now, files, what.library, notes);
+  put_text(files, path, digits, progress, [&](TextWriter& out) { put(what, out); });
+  files.replace();
   return notes;
 }
 
@@ -211,26 +221,14 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   }
   if (writes_itself(original, path)) return original->write_file(path, content, digits, progress);
   const Format& format = surface_format(path);
-  if (format.stores_only_splats() && !content.splats)
+  const bool is_for_splats = format.stores_only_splats();
+  if (is_for_splats ? !content.splats : !format.holds(held::points) && content.surface.triangles.empty())
     throw base::Error(path.string(),
-                      std::string(format.name) + " stores only Gaussian splats, and the model has no splats",
+                      std::string(format.name) +
+                          (is_for_splats ? " stores only Gaussian splats, and the model has no splats"
+                                         : " stores only triangles, and the model has no triangles"),
                       "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
-  if (!format.holds(held::points) && !format.stores_only_splats() && content.surface.triangles.empty())
-    throw base::Error(path.string(),
-                      std::string(format.name) + " stores only triangles, and the model has no triangles",
-                      "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
-  std::vector<std::string> notes;
-  Attributes now = converted(format, content, original, notes);
-  Content what{content.surface, content.positions, content.comments, &now, content.splats};
-  base::FilesTogether files;
-  put_materials(path, format, now, files, what.library, notes);
-  files.put(path, [&](const base::ByteSink& sink) {
-    TextWriter out(sink, progress, digits);
-    format.write(what, out);
-    out.finish();
-  });
-  files.replace();
-  return notes;
+  return write_new(path, content, original, digits, progress, format.write);
 }
 
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
@@ -245,15 +243,10 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
     throw base::Error(path.string(), "morph targets cannot store the motion of a capture (Gaussian splats)",
                       "save numbered files instead: frame_####.ply");
   check_written(path.string(), content.positions);
-  std::vector<std::string> notes;
   if (writes_itself(original, path)) return original->write_animated(path, content, motion, progress);
-  Attributes now = converted(format, content, original, notes);
-  std::ranges::move(embed_images(now), std::back_inserter(notes));
-  const Content what{content.surface, content.positions, content.comments, &now};
-  write_as(path, {}, nullptr, [&](TextWriter& out) {
+  return write_new(path, content, original, {}, nullptr, [&](const Content& what, TextWriter& out) {
     write_gltf_animated(what, motion, format.write == write_glb, out, progress);
   });
-  return notes;
 }
 
 void check_deformable(const fs::path& file, const Original* original) {
@@ -270,17 +263,11 @@ void check_keeps_vertices(const std::filesystem::path& path) {
 
 std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Content& content,
                                               Digits digits, base::Progress* progress) const {
-  std::vector<fs::path> copies;
-  std::vector<std::string> notes;
-  try {
-    notes = copy_companions(path, companions(), copies);
-    write_as(path, digits, progress,
-             [&](TextWriter& out) { std::ranges::move(write(content, out), std::back_inserter(notes)); });
-  } catch (...) {
-    std::error_code ignored;
-    for (const fs::path& copy : copies) fs::remove(copy, ignored);
-    throw;
-  }
+  base::FilesTogether files;
+  std::vector<std::string> notes = put_companions(path, companions(), files);
+  put_text(files, path, digits, progress,
+           [&](TextWriter& out) { std::ranges::move(write(content, out), std::back_inserter(notes)); });
+  files.replace();
   return notes;
 }
 

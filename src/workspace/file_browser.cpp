@@ -6,13 +6,13 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/file_bytes.h"
 #include "base/numbered_files.h"
 #include "files/animation_export.h"
 #include "files/output.h"
 #include "files/session.h"
 #include "foreign/kinds.h"
 #include "formats/format_table.h"
-#include "formats/source.h"
 
 namespace viete::workspace {
 
@@ -25,12 +25,12 @@ namespace {
 bool fits(const fs::path& path, const FileBrowser& browser) {
   const bool session = browser.purpose == Purpose::model || browser.purpose == Purpose::save_session;
   return (session && files::is_session(path)) ||
-         std::ranges::count(browser.formats(), formats::extension_of(path)) > 0;
+         std::ranges::count(browser.formats(), base::extension_of(path)) > 0;
 }
 
 bool before(const Entry& a, const Entry& b) {
   if (a.folder != b.folder) return a.folder;
-  const std::string x = formats::lower_case(a.name), y = formats::lower_case(b.name);
+  const std::string x = base::lower_case(a.name), y = base::lower_case(b.name);
   return x != y ? x < y : a.name < b.name;
 }
 
@@ -161,9 +161,9 @@ void refresh(FileBrowser& browser) {
 
 std::vector<const Entry*> shown(const FileBrowser& browser) {
   std::vector<const Entry*> entries;
-  const std::string filter = formats::lower_case(browser.filter);
+  const std::string filter = base::lower_case(browser.filter);
   for (const auto& entry : browser.entries) {
-    if (formats::lower_case(entry.name).find(filter) != std::string::npos) entries.push_back(&entry);
+    if (base::lower_case(entry.name).find(filter) != std::string::npos) entries.push_back(&entry);
   }
   return entries;
 }
@@ -201,7 +201,7 @@ namespace {
 
 // If the format stores only one model per file, adds "_####" for the frame number to the name.
 fs::path animation_name(const fs::path& file) {
-  if (files::is_animation_format(formats::extension_of(file)) || files::is_film(file) ||
+  if (files::is_animation_format(base::extension_of(file)) || files::is_film(file) ||
       base::NumberedName::is_pattern(file))
     return file;
   return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
@@ -254,7 +254,7 @@ std::string format_list(const FileBrowser& browser) {
 }
 
 std::string format_of(const FileBrowser& browser) {
-  return formats::extension_of(browser.path);
+  return base::extension_of(browser.path);
 }
 
 bool refuse(FileBrowser& browser, const fs::path& asked, const std::string& problem) {

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "formats/source.h"
+#include "base/file_bytes.h"
 #include "workspace/command_tables.h"
 
 namespace viete::workspace {
@@ -54,15 +54,15 @@ bool has_letters(std::string_view text, std::string_view letters) {
 
 // How well a word matches a command; 0: no match.
 int fit(const Command& command, const std::string& word) {
-  const std::string label = formats::lower_case(command.label), group = formats::lower_case(command.group);
+  const std::string label = base::lower_case(command.label), group = base::lower_case(command.group);
   const std::string words = ' ' + label;
   if (label == word) return 120;
   if (label.starts_with(word)) return 100;
   if (words.find(' ' + word) != std::string::npos) return 80;
   if (label.find(word) != std::string::npos) return 60;
   if (group.starts_with(word)) return 50;
-  if (formats::lower_case(command.name).find(word) != std::string::npos) return 40;
-  if (formats::lower_case(command.hint).find(word) != std::string::npos) return 20;
+  if (base::lower_case(command.name).find(word) != std::string::npos) return 40;
+  if (base::lower_case(command.hint).find(word) != std::string::npos) return 20;
   if (!has_letters(label, word)) return 0;
   return label.front() == word.front() ? 15 : 10;
 }
@@ -90,7 +90,7 @@ std::span<const Menu> menus() {
 
 std::vector<const Command*> find_commands(const Workspace& workspace, std::string_view typed) {
   std::vector<std::string> words;
-  std::istringstream stream(formats::lower_case(typed));
+  std::istringstream stream(base::lower_case(typed));
   for (std::string word; stream >> word;) words.push_back(word);
   std::vector<std::pair<int, const Command*>> found;
   for (const Command& command : commands()) {

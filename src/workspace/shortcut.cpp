@@ -4,14 +4,14 @@
 #include <initializer_list>
 #include <vector>
 
-#include "formats/source.h"
+#include "base/file_bytes.h"
 
 namespace viete::workspace {
 
 namespace {
 
 bool same_word(std::string_view a, std::string_view b) {
-  return formats::lower_case(a) == formats::lower_case(b);
+  return base::lower_case(a) == base::lower_case(b);
 }
 
 }  // namespace

@@ -201,4 +201,14 @@ TEST_CASE("taken_names_are_numbered") {
   fs::create_symlink("nowhere", folder / "a.b-2.png");
   CHECK(base::unused_name(folder / "a.b.png") == folder / "a.b-3.png");
   CHECK(base::unused_name(folder / "none" / "a") == folder / "none" / "a");
+  base::FilesTogether files;
+  const auto put = [&](const char* bytes) {
+    return files.put_new(folder / "a.b.png", bytes).filename().string();
+  };
+  CHECK(put("third") == "a.b-3.png");
+  CHECK(put("fourth") == "a.b-4.png");
+  CHECK(put("third") == "a.b-3.png");
+  files.replace();
+  CHECK(put("fourth") == "a.b-4.png");
+  CHECK(test::file_bytes(folder / "a.b-3.png") == "third");
 }

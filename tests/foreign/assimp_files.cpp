@@ -123,6 +123,15 @@ TEST_CASE("properties_of_fbx_materials_are_read_as_blender_writes_them") {
   CHECK(m.metallic == 0.25F);
   CHECK(m.emission == Color{1, 1, 1, 1});
   CHECK(read.attributes->images.at(m.emission_image).name == "glow.png");
+  CHECK(!m.is_translucent);
+  const formats::ReadResult textured = models.changed(
+      "smile.fbx", "\"EmissiveColor\"",
+      "\"ShininessExponent\"\n\tC: \"OP\",7,6, \"TransparencyFactor\"\n\tC: \"OP\",7,6, \"DiffuseColor\"");
+  const formats::Material& all = textured.attributes->materials.at(0);
+  CHECK(all.roughness_image == 0);
+  CHECK(all.roughness == 1);
+  CHECK(all.base_color_image == 0);
+  CHECK(all.is_translucent);
 }
 
 TEST_CASE("files_outside_the_folder_are_not_read") {

@@ -187,25 +187,72 @@ TEST_CASE("hostile_names_of_images_stay_in_the_folder") {
   Painted p;
   test::GltfParts parts = test::patch();
   const std::string picture = png({1, 2, 3, 255});
-  for (const char* name : {"../../evil", "..", "a/b\\c:d", "", "same", "same"})
-    parts.json["images"].push_back(
-        {{"name", name}, {"uri", "data:image/png;base64," + base::base64(picture)}});
+  parts.json["images"] = test::GltfJson::array();
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    parts.json["images"].push_back({{"name", name}, {"uri", "data:image/png;base64," + base::base64(bytes)}});
+  };
+  for (const char* name : {"../../evil", "..", "a/b\\c:d", "", "same", "same", ".x.desktop"})
+    add(name, picture);
+  add(".profile", "#!/bin/sh\n");
   parts.json["textures"] = test::GltfJson::array();
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 8; ++i) {
     parts.json["textures"].push_back({{"source", i}});
-    parts.json["materials"][static_cast<std::size_t>(i)] = {{"name", "#m\n"},
+    parts.json["materials"][static_cast<std::size_t>(i)] = {{"name", "#m\n\\"},
                                                             {"emissiveTexture", {{"index", i}}}};
   }
   test::put_file(p / "in/c.glb", parts.glb());
-  p.convert("in/c.glb", "out/c.obj");
+  const Notes notes = p.convert("in/c.glb", "out/c.obj");
+  REQUIRE(!notes.empty());
+  CHECK_MESSAGE(holds(notes.back(), ".profile: this is not an image"), notes.back());
   for (const auto& entry : fs::directory_iterator(p.path()))
     CHECK((entry.path() == p / "in" || entry.path() == p / "out"));
   CHECK(fs::exists(p / "out/evil.png"));
   CHECK(fs::exists(p / "out/same.png"));
   CHECK(!fs::exists(p / "out/same-2.png"));
+  CHECK(fs::exists(p / "out/.x.desktop.png"));
+  CHECK(!fs::exists(p / "out/.profile"));
   const auto names = test::file_bytes(p / "out/c.mtl");
   CHECK(holds(names, "newmtl _m\n"));
-  CHECK(holds(names, "newmtl _m-6\n"));
+  CHECK(holds(names, "newmtl _m-8\n"));
+}
+
+TEST_CASE("only_images_are_copied") {
+  Painted p;
+  test::put_file(p / "in/a.mtl", "newmtl paint\nmap_Kd ../secret.txt\nnewmtl light\nmap_Kd wood.png\n");
+  test::put_file(p / "secret.txt", "password");
+  const Notes notes = p.convert("in/a.obj", "out/a.ply");
+  REQUIRE(!notes.empty());
+  CHECK(holds(notes.back(), "secret.txt: this is not an image"));
+  CHECK(p.files_in_out() == 2);
+}
+
+TEST_CASE("names_that_libraries_cannot_contain_are_replaced") {
+  Painted p;
+  test::GltfParts parts = test::patch();
+  parts.json["images"] = {{{"uri", "h%23\n.png"}}};
+  parts.json["textures"] = {{{"source", 0}}};
+  parts.json["materials"] = {{{"name", "m"}, {"emissiveTexture", {{"index", 0}}}}};
+  parts.json["nodes"][0]["name"] = "a#";
+  parts.json["meshes"][0]["primitives"][0]["material"] = 0;
+  test::put_file(p / "out/c.glb", parts.glb());
+  test::put_file(p / "out/h#\n.png", png({1, 2, 3, 255}));
+  p.convert("out/c.glb", "out/c#.obj");
+  const Attributes a = p.attributes("out/c#.obj");
+  REQUIRE(a.images.size() == 1);
+  CHECK(a.images[0].path == p / "out/h__.png");
+  CHECK(fs::exists(a.images[0].path));
+  CHECK(a.groups.at(0).object == "a_");
+}
+
+// With the square of the number of materials, this would take minutes.
+TEST_CASE("many_materials_with_the_same_name_are_numbered") {
+  Attributes a;
+  a.materials.resize(200'000);
+  a.materials[1].name = "material-2";
+  complete_materials(a);
+  CHECK(a.materials[1].name == "material-2");
+  CHECK(a.materials[2].name == "material-3");
+  CHECK(a.materials.back().name == "material-200000");
 }
 
 TEST_CASE("colours_of_faces_become_materials_of_obj_and_the_reverse") {

@@ -195,7 +195,7 @@ TEST_CASE("rounding_of_far_positions_by_the_file_is_noted_with_its_size") {
         "ply\nformat binary_little_endian 1.0\nelement vertex 8\nproperty float x\n"
         "property float y\nproperty float z\nend_header\n";
     for (const Point& p : surface.positions)
-      for (const double x : p) bytes += std::string_view(bytes_of_number(float(x)).data(), 4);
+      for (const double x : p) bytes += std::string_view(base::bytes_of_number(float(x)).data(), 4);
     const ReadResult r = test::put_and_read(folder / name, bytes);
     std::vector<Point> moved = r.surface.positions;
     for (Point& p : moved) p[1] += 0.2;
@@ -245,8 +245,8 @@ TEST_CASE("stl_binary_keeps_header_and_attributes") {
     for (int i = 0; i < 4; ++i) {
       Point before, after;
       for (int k = 0; k < 3; ++k) {
-        before[k] = number_of_bytes<float>(&bytes[at + 12 * i + 4 * k]);
-        after[k] = number_of_bytes<float>(&written[at + 12 * i + 4 * k]);
+        before[k] = base::number_of_bytes<float>(&bytes[at + 12 * i + 4 * k]);
+        after[k] = base::number_of_bytes<float>(&written[at + 12 * i + 4 * k]);
       }
       CHECK(norm(after - turned(before)) < 1e-6);
     }

@@ -131,8 +131,8 @@ TEST_CASE("stl_undefined_normals_of_moved_triangles_are_computed") {
     const ReadResult r = test::read_kept(bytes, "stl");
     CHECK(test::written_again(r, r.surface.positions) == bytes);
     const std::string written = test::written_again(r, moved);
-    CHECK(number_of_bytes<float>(&written[84]) == 0);
-    CHECK(number_of_bytes<float>(&written[88]) == -1);
-    CHECK(number_of_bytes<float>(&written[92]) == 0);
+    CHECK(base::number_of_bytes<float>(&written[84]) == 0);
+    CHECK(base::number_of_bytes<float>(&written[88]) == -1);
+    CHECK(base::number_of_bytes<float>(&written[92]) == 0);
   }
 }

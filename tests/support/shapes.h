@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/byte_order.h"
 #include "base/error.h"
-#include "formats/byte_order.h"
 #include "formats/format_table.h"
 #include "formats/read.h"
 #include "formats/text_writer.h"
@@ -114,7 +114,7 @@ inline Surface both(Surface a, const Surface& b) {
 
 template <class T>
 void append(std::string& bytes, T value, std::endian order = std::endian::little) {
-  const auto raw = formats::bytes_of_number(value, order);
+  const auto raw = base::bytes_of_number(value, order);
   bytes.append(raw.data(), raw.size());
 }
 

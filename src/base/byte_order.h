@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace viete::formats {
+namespace viete::base {
 
 /// Reads the first sizeof(T) bytes as a number.
 template <class T>
@@ -57,4 +57,4 @@ inline double number_of_bytes(const char* bytes, NumberType type, std::endian or
   });
 }
 
-}  // namespace viete::formats
+}  // namespace viete::base
