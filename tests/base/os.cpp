@@ -135,7 +135,7 @@ TEST_CASE("the_machine_reports_memory_and_processor_time") {
 
 namespace {
 
-// What a confined process could do. Called in a child process, which must not use doctest.
+// Returns bits for faults of the confinement. Called in a child process, which must not use doctest.
 int freedoms(const test::TemporaryFolder& folder) {
   os::confine_process({folder / "in", folder / "one"});
   const auto reads = [&](const char* name) { return test::file_bytes(folder / name) == name; };
