@@ -47,6 +47,7 @@ with_cmake() {
   package=$1
   shift
   [ ! -e "$prefix/built/$package" ] || return 0
+  say "compiling $package"
   log "$package-sources" unpack "$package"
   log "$package-configure" cmake -S "$work/sources/$package/tree" -B "$work/build/$package" -G Ninja $toolchain \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF \

@@ -13,7 +13,6 @@ static_libraries() (
 
 # static_build TARGET FOLDER CMAKE-OPTIONS...
 static_build() {
-  say "fetching and compiling libraries, the first time only"
   static_libraries "$1"
   build "$@" -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all "-DCMAKE_PREFIX_PATH=$here/.cache/libraries/prefix" \
     "-DVIETE_OPENMESH_SOURCES=$here/.cache/libraries/sources/openmesh/tree"
@@ -38,8 +37,8 @@ copy_licences() {
   mkdir -p "$folder_of_licences"
   cp "$here/LICENSE" "$folder_of_licences/viete.txt"
   for p in libopenmesh-dev libstb-dev libglm-dev libeigen3-dev libhwy-dev libcli11-dev nlohmann-json3-dev libgcc-s1 "$@"; do
-    for about in "/usr/share/doc/$p" "$here/.cache/libraries/sources/$p/tree/debian"; do
-      [ ! -r "$about/copyright" ] || cp "$about/copyright" "$folder_of_licences/$p.txt"
+    for notes in "/usr/share/doc/$p" "$here/.cache/libraries/sources/$p/tree/debian"; do
+      [ ! -r "$notes/copyright" ] || cp "$notes/copyright" "$folder_of_licences/$p.txt"
     done
   done
 }

@@ -28,6 +28,7 @@ with_make() {
   package=$1 library=$2 headers=$prefix/include/$3
   shift 3
   [ ! -e "$prefix/built/$package" ] || return 0
+  say "compiling $package"
   log "$package-sources" unpack "$package"
   log "$package-makefile" makefile "$package"
   log "$package-build" make -j "$jobs" -C "$work/sources/$package/tree" "lib$library.a" CC=$host-gcc-posix CXX=$host-g++-posix AR=$host-ar \
@@ -42,7 +43,6 @@ with_make() {
 }
 
 dependencies() {
-  say "fetching and building the dependencies"
   with_cmake glm -DGLM_TEST_ENABLE=OFF -DGLM_BUILD_TESTS=OFF
   with_cmake eigen3 -DEIGEN_BUILD_DOC=OFF -DEIGEN_BUILD_TESTING=OFF
   with_cmake highway -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF

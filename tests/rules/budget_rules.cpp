@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // The targets are 80,800 lines of src and 42,000 of tests.
-constexpr std::size_t most_lines_of_src = 91'200, most_lines_of_tests = 47'950;
+constexpr std::size_t most_lines_of_src = 91'200, most_lines_of_tests = 48'000;
 constexpr std::size_t most_lines_of_a_room = 10'250, most_files_of_a_room = 51, most_lines_of_a_file = 600;
-constexpr std::size_t most_words_of_readme = 935, most_words_of_manual_and_rooms = 18'100;
+constexpr std::size_t most_words_of_readme = 935, most_words_of_manual_and_rooms = 18'180;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
