@@ -3,7 +3,7 @@
 # VIETE's, and the window by mouse. Skipped without MinGW, Wine, Xvfb or xdotool. A full disk is tried only by root, who can mount it.
 set -eu
 sources="$1" viete="$2" version="$3"
-for tool in apt-get x86_64-w64-mingw32-g++-posix wine Xvfb xdotool python3; do
+for tool in apt-get x86_64-w64-mingw32-g++-posix wine Xvfb xdotool; do
   command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }
 done
 work=$(mktemp -d)
@@ -101,7 +101,8 @@ fi
 
 windows render dragon.ply cage.obj --pose pose_coil.obj --size 400x300 -o windows.png
 "$viete" render dragon.ply cage.obj --pose pose_coil.obj --size 400x300 -o linux.png
-python3 "$sources/tests/consumer/pictures.py" windows.png linux.png 2 0 || wrong "the picture differs"
+# Wine draws with Linux's OpenGL driver: the pictures have the same bytes.
+cmp windows.png linux.png || wrong "the picture differs"
 
 # window FILE...: opens the window and waits until it is drawn. Without a window manager, it gets no keys by itself.
 window() {
@@ -116,11 +117,16 @@ drag() {
     mousemove_relative -- $(($3 / 2)) $(($4 / 2)) sleep 0.3 mouseup 1 sleep 1
 }
 kept() { find "$WINEPREFIX/drive_c/users" -path '*AppData/Local/viete/recovery/*.viete' | grep -q .; }
+before=$(cksum <dragon.ply)
 window dragon.ply cage.obj
 drag 760 205 60 -40  # a vertex of the cage, on a wing's tip
 until_true kept
 xdotool key ctrl+s sleep 2 key Return
 until_true test -s dragon.viete
+xdotool key ctrl+e sleep 2 key ctrl+a sleep 0.5 type dragon.ply
+xdotool sleep 1 key Return sleep 1 key Return sleep 3
+[ "$(cksum <dragon.ply)" = "$before" ] || wrong "the window overwrote the open model"
+xdotool key Escape sleep 1
 xdotool key ctrl+z sleep 3
 until_true kept
 wineserver -k  # kills the program
