@@ -1,31 +1,21 @@
 # Sourced by setup.sh: Debian packages, the portable folder of the program, and the wheel of the Python module.
 # All run on systems whose libc is as new as the one here. Make them on Debian 12.
 
-# Debian has only a shared library of OpenMesh. Each release of Debian has another version of it, and it needs the shared
-# library of C++, which must not be carried along: graphics drivers may need a newer one. Therefore OpenMesh is
-# compiled from Debian's source package. Sets $openmesh to the folder.
-openmesh_sources() {
-  package=openmesh=$(dpkg-query -W -f '${source:Version}' libopenmesh-dev)
-  openmesh=$here/.cache/$package
-  [ ! -d "$openmesh" ] || return 0
-  say "downloading the sources of OpenMesh (7 MB, and 10 MB of lists)"
-  mkdir -p "$here/.cache" "$work/lists/partial" "$work/openmesh"
-  apt-get indextargets --format 'deb-src $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' >"$work/sources.list"
-  (
-    cd "$work"
-    set -- -q -o "Dir::State::lists=$work/lists" -o "Dir::Etc::sourcelist=$work/sources.list" -o Dir::Etc::sourceparts=- \
-      -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache=
-    apt-get "$@" update || :  # other repositories may have no sources
-    apt-get "$@" --download-only source "$package"
-  ) >"$work/apt.log" 2>&1 &&
-    tar -xf "$work"/openmesh_*.orig.tar.* -C "$work/openmesh" --strip-components=1 &&
-    mv "$work/openmesh" "$openmesh"
-}
+# Each release of Debian has other versions of its shared libraries, and those in C++ need the shared library of C++, which must not be
+# carried along: graphics drivers may need a newer one. Therefore libraries without a static one in Debian are compiled from their
+# source packages, in .cache/libraries.
+static_libraries() (
+  work=$here/.cache/libraries toolchain="" jobs=${JOBS:-$(nproc)}
+  . "$here/third_party/libraries.sh"
+  log openmesh-sources unpack openmesh
+  [ "$1" = viete_python ] || meshoptimizer_and_assimp
+)
 
 # static_build TARGET FOLDER CMAKE-OPTIONS...
 static_build() {
-  openmesh_sources || { cat "$work/apt.log" >&2; return 1; }
-  build "$@" -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all "-DVIETE_OPENMESH_SOURCES=$openmesh"
+  static_libraries "$1"
+  build "$@" -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all "-DCMAKE_PREFIX_PATH=$here/.cache/libraries/prefix" \
+    "-DVIETE_OPENMESH_SOURCES=$here/.cache/libraries/sources/openmesh/tree"
 }
 
 # Fails if a file needs libraries other than libc, its parts, and these.
@@ -40,13 +30,16 @@ needs_only() {
   done
 }
 
-# Licences of the libraries and fonts in the folder or in the wheel.
+# copy_licences FOLDER PACKAGE...: licences of the libraries in all archives, of the packages, and of the compiled source packages.
 copy_licences() {
-  mkdir -p "$1"
-  cp "$here/LICENSE" "$1/viete.txt"
-  for p in libglfw3-dev libopenmesh-dev libstb-dev libimgui-dev libglm-dev libeigen3-dev libhwy-dev libcli11-dev \
-    nlohmann-json3-dev pybind11-dev libgcc-s1 fonts-inter fonts-jetbrains-mono; do
-    [ ! -r "/usr/share/doc/$p/copyright" ] || cp "/usr/share/doc/$p/copyright" "$1/$p.txt"
+  folder_of_licences=$1
+  shift
+  mkdir -p "$folder_of_licences"
+  cp "$here/LICENSE" "$folder_of_licences/viete.txt"
+  for p in libopenmesh-dev libstb-dev libglm-dev libeigen3-dev libhwy-dev libcli11-dev nlohmann-json3-dev libgcc-s1 "$@"; do
+    for notes in "/usr/share/doc/$p" "$here/.cache/libraries/sources/$p/tree/debian"; do
+      [ ! -r "$notes/copyright" ] || cp "$notes/copyright" "$folder_of_licences/$p.txt"
+    done
   done
 }
 
@@ -61,21 +54,23 @@ build_package() {
 
 build_portable() {
   say "building the portable folder"
-  static_build all build-portable -DVIETE_BUILD_PYTHON=OFF -DVIETE_ASSIMP=OFF -DVIETE_DRACO=OFF -DVIETE_MESHOPT=OFF -DCMAKE_INSTALL_BINDIR=. '-DCMAKE_INSTALL_RPATH=$ORIGIN/lib' \
+  static_build all build-portable -DVIETE_BUILD_PYTHON=OFF -DCMAKE_INSTALL_BINDIR=. '-DCMAKE_INSTALL_RPATH=$ORIGIN/lib' \
     '-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc'
   version=$(version)
   folder=$work/viete-$version all=$work/installed
   cmake --install "$here/build-portable" --prefix "$all" --component viewer --strip >/dev/null
   mkdir -p "$folder/lib" "$folder/share/fonts/opentype/inter" "$folder/share/fonts/truetype/jetbrains-mono"
-  cp "$all/viete" "$all/viete-bench" "$here/CHANGELOG.md" "$folder"
+  cp "$all/viete" "$all/viete-bench" "$all/viete-import" "$here/CHANGELOG.md" "$folder"
   mv "$all/share/viete" "$all/share/icons" "$folder/share"
   cp -L "$(ldconfig -p | sed -n 's/.*libglfw\.so\.3 .*=> //p' | head -n 1)" "$folder/lib/libglfw.so.3"
   for font in opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf truetype/jetbrains-mono/JetBrainsMono-Regular.ttf; do
     [ ! -r "/usr/share/fonts/$font" ] || cp "/usr/share/fonts/$font" "$folder/share/fonts/$font"
   done
-  copy_licences "$folder/share/licences"
+  copy_licences "$folder/share/licences" libglfw3-dev libimgui-dev fonts-inter fonts-jetbrains-mono \
+    assimp meshoptimizer libdraco-dev libminizip-dev libutfcpp-dev
   needs_only "$folder/viete" libglfw.so.3 libz.so.1
   needs_only "$folder/viete-bench" libz.so.1
+  needs_only "$folder/viete-import" libz.so.1
   needs_only "$folder/lib/libglfw.so.3" libX11.so.6
   made=$here/build-portable/viete-$version-linux-$(uname -m).tar.xz
   XZ_OPT=-6e tar -C "$work" --owner=root:0 --group=root:0 --sort=name -cJf "$made" "viete-$version"
@@ -99,7 +94,7 @@ build_wheel() {
   mkdir -p "$about"
   strip -o "$folder/$(basename "$module")" "$module"
   cp -r "$here/src/python/viete-stubs" "$folder"
-  copy_licences "$about/licenses"
+  copy_licences "$about/licenses" pybind11-dev
   cat >"$about/WHEEL" <<TEXT
 Wheel-Version: 1.0
 Generator: setup.sh

@@ -31,7 +31,9 @@ tests="doctest-dev libtinygltf-dev pybind11-dev python3-dev python3-numpy"
 tests_wish="xvfb xdotool dpkg-dev file mypy desktop-file-utils"
 # Finds the library dependencies of packages; unpacks sources and packs wheels.
 packing="dpkg-dev file"
-windows="g++ cmake ninja-build pkg-config g++-mingw-w64-x86-64-posix dpkg-dev libgl-dev libegl-dev librsvg2-bin icoutils"
+# Static libraries and headers of viete-import in packages.
+packed="libdraco-dev libminizip-dev libutfcpp-dev"
+windows="g++ cmake ninja-build pkg-config g++-mingw-w64-x86-64-posix dpkg-dev libgl-dev libegl-dev librsvg2-bin icoutils libutfcpp-dev"
 wheel="$packing pybind11-dev python3-dev python3-numpy python3-wheel"
 
 say() { echo "setup.sh: $*" >&2; }
@@ -106,8 +108,8 @@ deps() {
   need=$program wish=$program_wish unreachable=""
   case "$1" in
     test) need="$need $tests" wish="$wish $tests_wish" ;;
-    package) need="$need $packing" ;;
-    portable) need="$need $packing xz-utils" ;;
+    package) need="$need $packing $packed" ;;
+    portable) need="$need $packing $packed xz-utils" ;;
     wheel) need="$need $wheel" ;;
     windows) need=$windows wish="cmark-gfm fonts-inter fonts-jetbrains-mono" ;;
   esac

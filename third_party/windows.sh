@@ -6,68 +6,31 @@ set -eu
 here=$(CDPATH='' cd -P -- "$(dirname -- "$0")/.." && pwd)
 mkdir -p "$1"
 work=$(cd "$1" && pwd)
-prefix=$work/prefix
 host=x86_64-w64-mingw32
 jobs=${JOBS:-$(nproc)}
 
 say() { echo "windows.sh: $*" >&2; }
 
-# log NAME COMMAND...: runs a command with its output in a file; shows the file if the command fails.
-log() {
-  step=$1
-  shift
-  mkdir -p "$work/logs"
-  if ! "$@" >"$work/logs/$step" 2>&1; then
-    cat "$work/logs/$step" >&2
-    say "$step failed; the output above is in $work/logs/$step"
-    return 1
-  fi
-}
+toolchain="-DCMAKE_TOOLCHAIN_FILE=$here/third_party/cmake/windows.cmake -DVIETE_WINDOWS_PREFIX=$work/prefix"
+. "$here/third_party/libraries.sh"
 
-# apt-get with the system's package servers, but for sources and with lists and cache in the work folder.
-apt_sources() {
-  apt-get -q -o APT::Sandbox::User=root -o Dir::Etc::SourceList="$work/apt/sources.list" -o Dir::Etc::SourceParts=- \
-    -o Dir::State::Lists="$work/apt/lists" -o Dir::Cache="$work/apt/cache" "$@"
-}
-
-list_sources() {
-  rm -rf "$work/apt"
-  mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
-  apt-get indextargets --format 'deb-src $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' >"$work/apt/sources.list"
-  # Servers of other vendors may have no sources: only required packages must be found.
-  apt_sources update || true
-}
-
-# unpacked PACKAGE: the folder of a source package. Debian's patches are applied, except OpenMesh's: they allow only shared libraries.
-unpack() {
-  mkdir -p "$work/sources/$1"
-  cd "$work/sources/$1"
-  apt_sources source --download-only "$1"
-  rm -rf tree
+# makefile PACKAGE: writes the Makefile of packages that have no Makefile for MinGW.
+makefile() {
+  cd "$work/sources/$1/tree"
   case $1 in
-    openmesh) dpkg-source --skip-patches -x ./*.dsc tree ;;
-    *) dpkg-source -x ./*.dsc tree ;;
+    zlib) CHOST=$host CC=$host-gcc-posix ./configure --static ;;
+    minizip) printf 'libminizip.a: ioapi.o iowin32.o unzip.o\n\t$(AR) rcs $@ $^\n' >Makefile ;;
   esac
-  # Debian's zlib has no win32/Makefile.gcc, but its configure script writes a Makefile for MinGW.
-  [ "$1" != zlib ] || (cd tree && CHOST=$host CC=$host-gcc-posix ./configure --static)
-}
-
-# with_cmake PACKAGE OPTION...: builds and installs a package by its own CMakeLists.txt.
-with_cmake() {
-  package=$1
-  shift
-  log "$package-sources" unpack "$package"
-  log "$package-configure" cmake -S "$work/sources/$package/tree" -B "$work/build/$package" -G Ninja $toolchain \
-    -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF \
-    -DCMAKE_POLICY_VERSION_MINIMUM=3.5 "$@"
-  log "$package-build" cmake --build "$work/build/$package" --target install -j "$jobs"
 }
 
 # with_make PACKAGE LIBRARY HEADER-FOLDER VARIABLE...: builds a library by the package's own Makefile.
 with_make() {
   package=$1 library=$2 headers=$prefix/include/$3
   shift 3
+  [ ! -e "$prefix/built/$package" ] || return 0
+  say "compiling $package"
   log "$package-sources" unpack "$package"
+  log "$package-makefile" makefile "$package"
   log "$package-build" make -j "$jobs" -C "$work/sources/$package/tree" "lib$library.a" CC=$host-gcc-posix CXX=$host-g++-posix AR=$host-ar \
     PKG_CONFIG=true "$@"
   mkdir -p "$headers" "$prefix/lib/pkgconfig"
@@ -76,12 +39,10 @@ with_make() {
   printf 'Name: %s\nDescription: %s\nVersion: %s\nLibs: -L%s -l%s\nCflags: -I%s\n' "$library" "$library" \
     "$(dpkg-parsechangelog -l "$work/sources/$package/tree/debian/changelog" -S Version | sed 's/[+~-].*//')" \
     "$prefix/lib" "$library" "$headers" >"$prefix/lib/pkgconfig/$library.pc"
+  completed "$package"
 }
 
 dependencies() {
-  [ ! -e "$prefix/complete" ] || return 0
-  say "fetching and building the dependencies"
-  log sources list_sources
   with_cmake glm -DGLM_TEST_ENABLE=OFF -DGLM_BUILD_TESTS=OFF
   with_cmake eigen3 -DEIGEN_BUILD_DOC=OFF -DEIGEN_BUILD_TESTING=OFF
   with_cmake highway -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF
@@ -93,9 +54,11 @@ dependencies() {
   with_make zlib z .
   with_make libstb stb stb CFLAGS=-O2 SRCS="stb_image.c stb_image_write.c stb_rect_pack_truetype.c"
   with_make imgui imgui imgui CXXFLAGS="-O2 -I$prefix/include" SRCS="imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp"
-  echo "Requires: stb" >>"$prefix/lib/pkgconfig/imgui.pc"
-  cp -r /usr/include/GL /usr/include/KHR "$prefix/include"
-  touch "$prefix/complete"
+  requires imgui stb
+  cp -rL /usr/include/GL /usr/include/KHR /usr/include/utf8.h /usr/include/utf8 "$prefix/include"
+  with_make minizip minizip minizip CFLAGS="-O2 -I$prefix/include"
+  with_cmake draco
+  meshoptimizer_and_assimp
 }
 
 # An icon of several sizes, from the picture of the desktop's menus.
@@ -105,7 +68,7 @@ icon() {
 }
 
 compile() {
-  log viete-configure cmake -S "$here" -B "$work/build/viete" -G Ninja $toolchain -DVIETE_BUILD_TESTS="$1" -DVIETE_BUILD_PYTHON=OFF -DVIETE_ASSIMP=OFF -DVIETE_DRACO=OFF -DVIETE_MESHOPT=OFF \
+  log viete-configure cmake -S "$here" -B "$work/build/viete" -G Ninja $toolchain -DCMAKE_BUILD_TYPE=Release -DVIETE_BUILD_TESTS="$1" -DVIETE_BUILD_PYTHON=OFF \
     -DVIETE_KERNELS=all -DVIETE_WERROR=ON -DVIETE_ICON="$work/viete.ico" \
     -DCMAKE_INSTALL_BINDIR=. -DCMAKE_INSTALL_DATADIR=share -DCMAKE_INSTALL_DOCDIR=share/doc
   shift
@@ -121,7 +84,7 @@ add_fonts_and_licences() {
   for source in "$work"/sources/*; do
     install -D -m 644 "$source/tree/debian/copyright" "$1/share/licences/$(basename "$source").txt"
   done
-  for package in fonts-inter fonts-jetbrains-mono; do
+  for package in fonts-inter fonts-jetbrains-mono libutfcpp-dev; do
     [ ! -e "/usr/share/doc/$package/copyright" ] || install -D -m 644 "/usr/share/doc/$package/copyright" "$1/share/licences/$package.txt"
   done
 }
@@ -137,7 +100,6 @@ pack() {
   say "created $work/$name.zip"
 }
 
-toolchain="-DCMAKE_TOOLCHAIN_FILE=$here/third_party/cmake/windows.cmake -DVIETE_WINDOWS_PREFIX=$prefix -DCMAKE_BUILD_TYPE=Release"
 dependencies
 icon
 say "building the program"

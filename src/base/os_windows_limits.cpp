@@ -12,6 +12,7 @@ namespace viete::base::os {
 
 std::FILE* reserve_output() {
   std::FILE* const file = _fdopen(_dup(_fileno(stdout)), "wb");
+  if (file) make_binary(file);  // "b" does not change the mode of an open file
   _dup2(_fileno(stderr), _fileno(stdout));
   return file;
 }

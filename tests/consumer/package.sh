@@ -3,6 +3,7 @@
 # not contain paths of the build. The unpacked program must run. Without packaging tools, the test is skipped.
 set -eu
 cpack="$1" build="$2" folder="$3" version="$4"
+foreign=$(CDPATH='' cd -P -- "$(dirname -- "$0")/../foreign" && pwd)
 for tool in dpkg-deb dpkg-shlibdeps file readelf; do
   command -v $tool >/dev/null || { echo "skipped: no $tool (apt-get install dpkg-dev file)"; exit 77; }
 done
@@ -66,3 +67,7 @@ dpkg-deb -x "$program" "$unpacked"
 ! readelf -d "$unpacked/usr/bin/viete" | grep -E 'R(UN)?PATH' || wrong "$program looks for libraries where it was built"
 "$unpacked/usr/bin/viete" --version | grep -q "^viete $version\$"
 env -u VIETE_ASSETS "$unpacked/usr/bin/viete" info | grep -q -F "$unpacked/usr/share/viete/dragon/dragon.ply"
+for file in smile.fbx packed.gltf meshopt.gltf; do
+  [ ! -e "$build/viete-import" ] || env -u VIETE_IMPORT "$unpacked/usr/bin/viete" info "$foreign/$file" | grep -q 'vertices  *[1-9]' ||
+    wrong "the program in $program cannot read $file"
+done

@@ -11,7 +11,7 @@ failures=0
 fresh() {
   rm -rf "${scratch:?}"/*
   mkdir -p "$scratch/check out/third_party" "$scratch/bin" "$scratch/elsewhere"
-  cp "$setup" "${setup%/*}/portable.sh" "$scratch/check out/third_party"
+  cp "$setup" "${setup%/*}/portable.sh" "${setup%/*}/libraries.sh" "$scratch/check out/third_party"
   calls=$scratch/calls
   : >"$calls"
   stand_in dpkg-query 'echo installed'
@@ -196,10 +196,20 @@ stand_in sleep "kill $busy"
 gives 0 "process $busy" build
 
 fresh
-stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) : >"$2/viete_1_amd64.deb" ;; esac'
-mkdir -p "$scratch/check out/.cache/openmesh=installed"
+stand_in cmake 'case "$1" in -S) mkdir -p "$4"; : >"$4/build.ninja" ;; --build) : >"$2/viete_1_amd64.deb" ;; esac'
+libraries="$scratch/check out/.cache/libraries"
+mkdir -p "$libraries/sources/openmesh" "$libraries/prefix/built" "$libraries/prefix/lib/pkgconfig"
+: >"$libraries/sources/openmesh/complete"
+: >"$libraries/prefix/built/meshoptimizer"
+: >"$libraries/prefix/lib/pkgconfig/assimp.pc"
+stand_in dpkg-source 'mkdir tree'
 gives 0 'created .*build-package/viete_1_amd64.deb' package
-expect 'packages do not need the library of OpenMesh' called 'cmake -S .*VIETE_OPENMESH_SOURCES=.*openmesh=installed'
+expect 'packages contain Assimp' called "cmake -S $libraries/sources/assimp/tree .*BUILD_SHARED_LIBS=OFF"
+expect 'packages link static libraries' called "cmake -S .*CMAKE_PREFIX_PATH=$libraries/prefix"
+expect 'packages do not need the library of OpenMesh' called "cmake -S .*VIETE_OPENMESH_SOURCES=$libraries/sources/openmesh/tree"
+: >"$calls"
+run "$script" package
+expect 'libraries are compiled once' no called 'cmake -S .*assimp'
 expect 'packages are built for any machine' called 'cmake -S .*build-package.*VIETE_KERNELS=all'
 
 lacks '*python3-wheel* | *xz-utils*' 'exec "$@"'

@@ -1,6 +1,6 @@
 #!/bin/sh
 # windows.sh SOURCES VIETE VERSION: makes the package for Windows and tries it with Wine: unit tests, pictures and files equal to
-# VIETE's, and the window by mouse. Skipped without MinGW or Wine; without Xvfb and xdotool, the window is not tried.
+# VIETE's, and the window by mouse. Skipped without MinGW, Wine, Xvfb or xdotool. A full disk is tried only by root, who can mount it.
 set -eu
 sources="$1" viete="$2" version="$3"
 for tool in apt-get x86_64-w64-mingw32-g++-posix wine Xvfb xdotool; do
@@ -12,6 +12,7 @@ display=""
 
 clean_up() {
   wineserver -k 2>/dev/null || true
+  ! mountpoint -q "$work/small disk" || umount "$work/small disk"
   [ -z "$display" ] || kill "$display" 2>/dev/null || true
   rm -rf "$work"
 }
@@ -43,16 +44,18 @@ for test in base sym3 mesh deform files; do
 done
 
 place="$work/any where $(printf '\303\251 \351\276\231')"
-written=$(printf 'by windows \303\251.ply')
+name_in_unicode=$(printf '\303\251 \351\276\231 ') written=$(printf 'by windows \303\251.ply')
 mkdir "$place"
 (cd "$place" && cmake -E tar xf "$archive")
 here="$place/viete-$version-win64"
-for file in viete.exe viete.com viete-bench.exe LICENSE.txt share/viete/dragon/dragon.ply share/viete/manual/index.html \
-  share/licences/openmesh.txt; do
+for file in viete.exe viete.com viete-bench.exe viete-import.exe LICENSE.txt share/viete/dragon/dragon.ply share/viete/manual/index.html \
+  share/licences/openmesh.txt share/licences/assimp.txt share/licences/draco.txt share/licences/meshoptimizer.txt; do
   test -s "$here/$file" || wrong "$archive has no $file"
 done
-x86_64-w64-mingw32-objdump -p "$here/viete.exe" | sed -n 's/.*DLL Name: //p' | tr A-Z a-z |
-  grep -v -x -E 'advapi32.dll|gdi32.dll|imm32.dll|kernel32.dll|msvcrt.dll|shell32.dll|user32.dll|ucrtbase.dll|api-ms-.*' && wrong "viete.exe needs these libraries"
+for program in viete.exe viete-import.exe; do
+  x86_64-w64-mingw32-objdump -p "$here/$program" | sed -n 's/.*DLL Name: //p' | tr A-Z a-z |
+    grep -v -x -E 'advapi32.dll|gdi32.dll|imm32.dll|kernel32.dll|msvcrt.dll|shell32.dll|user32.dll|ucrtbase.dll|api-ms-.*' && wrong "$program needs these libraries"
+done
 
 Xvfb -displayfd 5 -screen 0 1280x800x24 5>"$work/display" >/dev/null 2>&1 &
 display=$!
@@ -72,9 +75,34 @@ for deformer in smooth paper mean-value rigid arap local; do
   "$viete" deform dragon.ply cage.obj --pose pose_coil.obj --deformer $deformer -o "by linux.ply" --force 2>/dev/null
   cmp "$written" "by linux.ply" || wrong "$deformer gives other bytes"
 done
+for file in smile.fbx house.dae packed.gltf meshopt.gltf; do
+  cp "$sources/tests/foreign/$file" "$name_in_unicode$file"
+  windows info "$name_in_unicode$file" | tr -d '\r' >windows.txt
+  "$viete" info "$name_in_unicode$file" >linux.txt
+  grep -q 'vertices  *[1-9]' windows.txt || wrong "$file cannot be read: $(cat "$work/said")"
+  diff windows.txt linux.txt || wrong "$file is another model on Windows"
+done
+windows cage "${name_in_unicode}packed.gltf" -o "packed cage.obj"
+windows deform "${name_in_unicode}packed.gltf" "packed cage.obj" --pose "packed cage.obj" -o packed.glb
+test -s packed.glb
+
+# A full disk: the file keeps its bytes, and no part file stays.
+small="$work/small disk"
+mkdir "$small"
+ln -s "$small" "$WINEPREFIX/dosdevices/s:"
+if [ "$(id -u)" = 0 ] && mount -t tmpfs -o size=64k small "$small" 2>/dev/null; then
+  echo old >"$small/old.ply"
+  ! windows deform dragon.ply cage.obj --pose pose_coil.obj -o 's:\old.ply' --force || wrong "a full disk is no error"
+  grep -q "free some disk space" "$work/said" || wrong "a full disk is reported by: $(cat "$work/said")"
+  [ "$(ls "$small") $(cat "$small/old.ply")" = "old.ply old" ] || wrong "a full disk changes the file"
+else
+  echo "A full disk was not tried: mounting is not allowed."
+fi
+
 windows render dragon.ply cage.obj --pose pose_coil.obj --size 400x300 -o windows.png
 "$viete" render dragon.ply cage.obj --pose pose_coil.obj --size 400x300 -o linux.png
-test -s windows.png
+# Wine draws with Linux's OpenGL driver: the pictures have the same bytes.
+cmp windows.png linux.png || wrong "the picture differs"
 
 # window FILE...: opens the window and waits until it is drawn. Without a window manager, it gets no keys by itself.
 window() {
@@ -89,11 +117,16 @@ drag() {
     mousemove_relative -- $(($3 / 2)) $(($4 / 2)) sleep 0.3 mouseup 1 sleep 1
 }
 kept() { find "$WINEPREFIX/drive_c/users" -path '*AppData/Local/viete/recovery/*.viete' | grep -q .; }
+before=$(cksum <dragon.ply)
 window dragon.ply cage.obj
 drag 760 205 60 -40  # a vertex of the cage, on a wing's tip
 until_true kept
 xdotool key ctrl+s sleep 2 key Return
 until_true test -s dragon.viete
+xdotool key ctrl+e sleep 2 key ctrl+a sleep 0.5 type dragon.ply
+xdotool sleep 1 key Return sleep 1 key Return sleep 3
+[ "$(cksum <dragon.ply)" = "$before" ] || wrong "the window overwrote the open model"
+xdotool key Escape sleep 1
 xdotool key ctrl+z sleep 3
 until_true kept
 wineserver -k  # kills the program
