@@ -15,7 +15,6 @@
 #include "base/picture.h"
 #include "base/text.h"
 #include "formats/codecs.h"
-#include "formats/obj_file.h"
 #include "formats/text_cursor.h"
 #include "formats/text_writer.h"
 

@@ -70,7 +70,8 @@ std::vector<std::string> embed_images(Attributes& attributes);
 
 /// Adds the base colour images (or if `all`, all images) of materials to `files`, in the folder of `model`,
 /// and sets ImageFile::name to the relative path. Images that are already in the folder or below stay.
-/// Never replaces files. Removes images from the materials that cannot be read. Returns messages.
+/// Never replaces files. Removes images from the materials that cannot be read or are not image files.
+/// Returns messages.
 std::vector<std::string> put_images_beside(const std::filesystem::path& model, bool all,
                                            Attributes& attributes, base::FilesTogether& files);
 

@@ -15,8 +15,6 @@
 
 namespace viete::formats {
 
-inline constexpr TextRules obj_rules{.comment = '#', .continued_lines = true};
-
 enum class ObjWord : std::uint8_t {
   vertex,
   texture_point,

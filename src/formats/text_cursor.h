@@ -16,6 +16,8 @@ struct TextRules {
   char comment = '\0';           ///< starts a comment up to the line end; '\0': no comments
   bool continued_lines = false;  ///< a backslash at the line end joins the next line (OBJ)
 };
+inline constexpr TextRules obj_rules{.comment = '#',
+                                     .continued_lines = true};  ///< also of material libraries
 
 /// Lines end with LF, CR LF or CR. A UTF-8 byte order mark is skipped. The locale has no effect.
 class TextCursor {
