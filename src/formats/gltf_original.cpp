@@ -152,10 +152,10 @@ private:
   std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
                                         base::Progress* progress) const {
     const bool binary = base::extension_of(path) == "glb";
-    relocate_images(path, result);
+    base::FilesTogether files;
+    put_images(path, result, files);
     if (!binary && !file_.other_chunks.empty())
       result.notes.push_back("unknown GLB chunks are left out: .gltf files cannot contain chunks");
-    base::FilesTogether files;
     put_buffers(path, binary, result, files);
     files.put(path, [&](const base::ByteSink& sink) {
       TextWriter out(sink, progress);
@@ -211,21 +211,32 @@ private:
         (beside.size() == 1 ? "the buffer was written to " : "the buffers were written to ") + names);
   }
 
-  // If the new file is in another folder, changes the relative URIs of images, because images stay in place.
-  void relocate_images(const fs::path& path, GltfRewritten& result) const {
-    const fs::path to = base::folder_of(path);
-    if (base::folder_of(file_.name) == to) return;
-    std::size_t changed = 0;
+  // If the new file is in another folder, copies images from the folder of the old file and below, without
+  // replacing files. Other images stay in place, and their relative URIs change.
+  void put_images(const fs::path& path, GltfRewritten& result, base::FilesTogether& files) const {
+    const fs::path from = base::folder_of(file_.name), to = base::folder_of(path);
+    if (from == to) return;
+    std::size_t copied = 0, stayed = 0;
     for (std::size_t i = 0; i < file_.images.size(); ++i) {
       const GltfImage& image = file_.images[i];
       if (image.uri.empty() || image.file.path.empty()) continue;
-      const fs::path full = base::folder_of(image.file.path) / image.file.path.filename();
+      fs::path full = base::folder_of(image.file.path) / image.file.path.filename();
+      const bool copies = base::is_file_below(from, full);
+      if (copies) full = put_copy(full, to / full.lexically_relative(from), files);
       result.document["images"][i]["uri"] = encoded_uri(full.lexically_relative(to).generic_string());
-      ++changed;
+      ++(copies ? copied : stayed);
     }
-    if (changed > 0)
-      result.notes.push_back(path.filename().string() + " refers to " + base::counted(changed, "image") +
-                             " in the folder of the old file: keep both folders together");
+    if (copied > 0) result.notes.push_back("copied " + base::counted(copied, "image"));
+    if (stayed > 0)
+      result.notes.push_back(path.filename().string() + " refers to " + base::counted(stayed, "image") +
+                             " outside the folder of the old file: keep them in place");
+  }
+
+  // Returns the path of the copy.
+  static fs::path put_copy(const fs::path& image, const fs::path& to, base::FilesTogether& files) {
+    std::error_code ignored;
+    fs::create_directories(to.parent_path(), ignored);  // if this fails, put_new() throws
+    return files.put_new(to, base::FileBytes(image).view());
   }
 
   // Returns the first name of "out.bin", "out-2.bin", ... that is free or a buffer of the older result.

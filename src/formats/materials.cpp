@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
@@ -401,12 +402,19 @@ std::vector<std::string> embed_images(Attributes& a) {
 std::vector<std::string> put_images_beside(const fs::path& model, bool all, Attributes& a,
                                            base::FilesTogether& files) {
   std::vector<std::string> notes;
+  std::exception_ptr failure;  // an image that cannot be written is no reason to leave it out
   const fs::path folder = base::folder_of(model);
   for_images(a, all ? all_images : base_color_images, notes, [&](ImageFile& image) {
     if (const auto name = relative_to(folder, image.path)) return void(image.name = *name);
     const std::string bytes = bytes_of(image);
-    image.name = files.put_new(folder / file_name(image, bytes), bytes).filename().string();
+    const fs::path path = folder / file_name(image, bytes);
+    try {
+      image.name = files.put_new(path, bytes).filename().string();
+    } catch (const base::Error&) {
+      failure = std::current_exception();
+    }
   });
+  if (failure) std::rethrow_exception(failure);
   return notes;
 }
 

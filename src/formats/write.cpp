@@ -164,7 +164,8 @@ std::vector<std::string> put_companions(const fs::path& model, const Companions&
   if (fs::weakly_canonical(companions.folder) == base::folder_of(model)) return {};
   std::set<std::string> copied, others, stayed;
   for (const fs::path& file : companions.files) {
-    const fs::path name = file.lexically_relative(companions.folder), path = model.parent_path() / name;
+    const fs::path name = file.lexically_relative(companions.folder.lexically_normal()),
+                   path = model.parent_path() / name;
     std::error_code code;
     if (!fs::is_regular_file(file, code)) continue;
     if (name.empty() || *name.begin() == "..") {

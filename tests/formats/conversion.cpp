@@ -210,6 +210,8 @@ TEST_CASE("obj_and_ply_saved_elsewhere_find_their_materials_and_images") {
   CHECK(formats::read(folder / "out/b.obj").attributes->images.at(0).path ==
         folder / "out/textures/wood.png");
   CHECK(again("in/a.obj", "in/b.obj").empty());
+  fs::create_directory(folder / "new");
+  CHECK(holds(again("out/../in/a.obj", "new/b.obj").at(0), "a.mtl, bumps.png, textures/wood.png"));
   test::put_file(
       folder / "in/a.ply",
       "ply\nformat ascii 1.0\ncomment TextureFile bumps.png\nelement vertex 3\nproperty float x\nproperty "

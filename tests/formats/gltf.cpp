@@ -196,15 +196,19 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   test::put_file(folder / "in/the data.bin", parts.bytes);
   const ReadResult r = test::put_and_read(folder / "in/a.gltf", parts.beside("the%20data.bin"));
   CHECK(r.attributes->images[0].path == folder / "in/my paint.png");
+  test::put_file(folder / "in/my paint.png", "a picture");
   const auto posed = raised(r.surface, 1);
   test::put_file(folder / "out/b.bin", "somebody's");
+  test::put_file(folder / "out/my paint.png", "somebody's");
   const auto notes = rewrite(r, folder / "out/b.gltf", posed);
-  CHECK(holds(notes.at(0), " refers to 1 image in the folder of the old file"));
+  CHECK(notes.at(0) == "copied 1 image");
+  CHECK(test::file_bytes(folder / "out/my paint.png") == "somebody's");
+  CHECK(test::file_bytes(folder / "out/my paint-2.png") == "a picture");
   CHECK(test::file_bytes(folder / "out/b.bin") == "somebody's");
   CHECK(read(folder / "out/b.gltf").surface.positions == posed);
   const GltfJson out = GltfJson::parse(test::file_bytes(folder / "out/b.gltf"));
   CHECK(out["buffers"][0]["uri"] == "b-2.bin");
-  CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
+  CHECK(out["images"][0]["uri"] == "my%20paint-2.png");
   CHECK(notes.at(1) == "the buffer was written to " + (folder / "out/b-2.bin").string());
   rewrite(r, folder / "out/b.gltf", raised(r.surface, 2));
   CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // b-2.bin was replaced
@@ -248,7 +252,7 @@ TEST_CASE("images_outside_of_the_model_folder_are_found_and_referenced") {
   const auto posed = raised(r.surface, 1);
   for (const char* name : {"far/out/b.glb", "linked/c.glb"}) {
     const auto notes = rewrite(r, folder / name, posed);
-    CHECK(holds(notes.at(0), " refers to 1 image in the folder of the old file"));
+    CHECK(holds(notes.at(0), " refers to 1 image outside the folder of the old file"));
     const auto image = read(folder / name).attributes->images.at(0).path;
     CHECK(test::file_bytes(image) == "a picture");
   }

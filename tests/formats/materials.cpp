@@ -138,6 +138,18 @@ TEST_CASE("images_beside_a_new_obj_never_replace_other_files") {
   check_same(p.attributes("out/c.obj"), p.attributes("in/a.obj"));
 }
 
+TEST_CASE("a_disk_that_is_full_of_images_is_an_error_and_leaves_no_files") {
+  Painted p;
+  test::put_file(p / "in/wood.png", png(std::vector<std::uint8_t>(4, 7)) + std::string(5000, 'x'));
+  test::put_file(p / "out/a.ply", "old");
+  {
+    const test::FullDisk room_for_the_model_alone(2000);
+    CHECK_THROWS_AS(p.convert("in/a.obj", "out/a.ply"), base::Error);
+  }
+  CHECK(test::file_bytes(p / "out/a.ply") == "old");
+  CHECK(p.files_in_out() == 1);
+}
+
 TEST_CASE("frames_of_an_animation_share_a_library") {
   Painted p;
   p.convert("in/a.obj", "b.glb");
