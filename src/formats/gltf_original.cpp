@@ -222,7 +222,7 @@ private:
       if (image.uri.empty() || image.file.path.empty()) continue;
       fs::path full = base::folder_of(image.file.path) / image.file.path.filename();
       const bool copies = base::is_file_below(from, full);
-      if (copies) full = put_copy(full, to / full.lexically_relative(from), files);
+      if (copies) full = files.put_new(to / full.lexically_relative(from), base::FileBytes(full).view());
       result.document["images"][i]["uri"] = encoded_uri(full.lexically_relative(to).generic_string());
       ++(copies ? copied : stayed);
     }
@@ -230,13 +230,6 @@ private:
     if (stayed > 0)
       result.notes.push_back(path.filename().string() + " refers to " + base::counted(stayed, "image") +
                              " outside the folder of the old file: keep them in place");
-  }
-
-  // Returns the path of the copy.
-  static fs::path put_copy(const fs::path& image, const fs::path& to, base::FilesTogether& files) {
-    std::error_code ignored;
-    fs::create_directories(to.parent_path(), ignored);  // if this fails, put_new() throws
-    return files.put_new(to, base::FileBytes(image).view());
   }
 
   // Returns the first name of "out.bin", "out-2.bin", ... that is free or a buffer of the older result.
