@@ -34,15 +34,17 @@ using Matrix = aiMatrix4x4t<double>;
 using Vector = aiVector3t<double>;
 
 // Opens only the file itself, and regular files in its folder and below.
-class FolderFiles final : public Assimp::DefaultIOSystem {
+class FolderFiles final : public Assimp::IOSystem {
 public:
   explicit FolderFiles(const fs::path& file)
       : file_(fs::weakly_canonical(file)), folder_(base::folder_of(file)) {}
 
+  char getOsSeparator() const override { return files_.getOsSeparator(); }
   bool Exists(const char* file) const override { return is_allowed(file); }
   Assimp::IOStream* Open(const char* file, const char*) override {  // never for writing
-    return is_allowed(file) ? DefaultIOSystem::Open(file, "rb") : nullptr;
+    return is_allowed(file) ? files_.Open(file, "rb") : nullptr;
   }
+  void Close(Assimp::IOStream* stream) override { files_.Close(stream); }
 
   bool is_allowed(const fs::path& file) const {
     std::error_code code;
@@ -51,6 +53,7 @@ public:
 
 private:
   fs::path file_, folder_;
+  Assimp::DefaultIOSystem files_;  // final since Assimp 6
 };
 
 // Numbers keys 0, 1, ... in the order of their first use. Equal keys get the same number.
