@@ -248,7 +248,10 @@ private:
 };
 
 std::string name_of_target(const aiMesh& mesh, unsigned target) {
-  const std::string name = mesh.mAnimMeshes[target]->mName.C_Str();
+  std::string name = mesh.mAnimMeshes[target]->mName.C_Str();
+  // Assimp 5.4 joins the names of an FBX channel and of its shape, which are usually equal.
+  if (const std::size_t half = name.size() / 2; name == name.substr(0, half) + "." + name.substr(0, half))
+    name.resize(half);
   return name.empty() ? "target " + std::to_string(target + 1) : name;
 }
 
@@ -450,17 +453,18 @@ private:
   std::vector<std::uint32_t> of_mesh_;  // for each vertex of the current mesh, a vertex of the scene
 };
 
-// Assimp only reports the axes and the unit of an FBX file, and ignores that Blender's z axis is up. Returns
-// the map to metres with y up. Sets `note` if this changes the model.
+// Assimp 5.2 only reports the axes and the unit of an FBX file, and ignores that Blender's z axis is up.
+// Returns the map to metres with y up. Sets `note` if this changes the model.
 Matrix to_metres_with_y_up(const aiScene& from, const std::string& extension, std::string& note) {
-  int axes[3] = {0, 1, 2}, signs[3] = {1, 1, 1};              // the axes to the right, up and to the front
-  bool known = from.mRootNode->mTransformation.IsIdentity();  // later versions of Assimp turn the root
+  int axes[3] = {0, 1, 2}, signs[3] = {1, 1, 1};  // the axes to the right, up and to the front
+  bool known = true;
   float centimetres = 100;
   if (extension == "blend") {
     axes[1] = 2;
     axes[2] = 1;
     signs[2] = -1;
   } else if (from.mMetaData && from.mMetaData->Get("UnitScaleFactor", centimetres)) {
+    from.mRootNode->mTransformation = aiMatrix4x4();  // Assimp 5.4 turns the root, even to impossible axes
     constexpr const char* names[3] = {"CoordAxis", "UpAxis", "FrontAxis"};
     for (int row = 0; row < 3; ++row)
       known = known && from.mMetaData->Get(names[row], axes[row]) && axes[row] >= 0 && axes[row] < 3 &&
