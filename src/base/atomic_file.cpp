@@ -225,7 +225,6 @@ void FilesTogether::put(const fs::path& path, const std::function<void(const Byt
 fs::path FilesTogether::put_new(const fs::path& path, std::string_view bytes) {
   const std::size_t hash = std::hash<std::string_view>()(bytes);
   std::error_code ignored;
-  fs::create_directories(path.parent_path(), ignored);  // if this fails, put() throws
   for (int i = 1;; ++i) {
     const fs::path name = numbered(path, i);
     const auto own = new_.find(name);

@@ -47,7 +47,7 @@ public:
   /// Throws errors of replace_file() and exceptions of produce().
   void put(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce);
   /// Puts a file without replacing another file: if the name is taken, uses a name such as "a-2.png". If a
-  /// file with this name and these bytes exists, puts nothing. Creates missing folders. Returns the path.
+  /// file with this name and these bytes exists, puts nothing. Returns the path.
   /// Throws errors of put().
   std::filesystem::path put_new(const std::filesystem::path& path, std::string_view bytes);
   void replace();

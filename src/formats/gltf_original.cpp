@@ -216,13 +216,19 @@ private:
   void put_images(const fs::path& path, GltfRewritten& result, base::FilesTogether& files) const {
     const fs::path from = base::folder_of(file_.name), to = base::folder_of(path);
     if (from == to) return;
+    std::error_code ignored;
     std::size_t copied = 0, stayed = 0;
     for (std::size_t i = 0; i < file_.images.size(); ++i) {
       const GltfImage& image = file_.images[i];
       if (image.uri.empty() || image.file.path.empty()) continue;
       fs::path full = base::folder_of(image.file.path) / image.file.path.filename();
       const bool copies = base::is_file_below(from, full);
-      if (copies) full = files.put_new(to / full.lexically_relative(from), base::FileBytes(full).view());
+      if (copies) {
+        const fs::path copy = to / full.lexically_relative(from);
+        // If a folder is missing, put_new() throws.
+        if (fs::is_directory(to, ignored)) fs::create_directories(copy.parent_path(), ignored);
+        full = files.put_new(copy, base::FileBytes(full).view());
+      }
       result.document["images"][i]["uri"] = encoded_uri(full.lexically_relative(to).generic_string());
       ++(copies ? copied : stayed);
     }

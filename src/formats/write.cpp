@@ -176,7 +176,8 @@ std::vector<std::string> put_companions(const fs::path& model, const Companions&
     const bool is_new = !fs::exists(fs::symlink_status(path, code));
     (is_new || base::has_bytes(path, bytes.view()) ? copied : others).insert(name.string());
     if (!is_new) continue;
-    fs::create_directories(path.parent_path(), code);  // if this fails, put() throws
+    if (fs::is_directory(base::folder_of(model), code))
+      fs::create_directories(path.parent_path(), code);  // if this fails, put() throws
     files.put(path, [&](const base::ByteSink& sink) { sink(bytes.view()); });
   }
   std::vector<std::string> notes;

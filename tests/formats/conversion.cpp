@@ -209,6 +209,9 @@ TEST_CASE("obj_and_ply_saved_elsewhere_find_their_materials_and_images") {
   CHECK(test::file_bytes(folder / "out/bumps.png") == "mine");
   CHECK(formats::read(folder / "out/b.obj").attributes->images.at(0).path ==
         folder / "out/textures/wood.png");
+  for (const char* name : {"nowhere/b.obj", "nowhere/b.ply"})
+    CHECK_THROWS_AS(again("in/a.obj", name), base::Error);
+  CHECK_FALSE(fs::exists(folder / "nowhere"));
   CHECK(again("in/a.obj", "in/b.obj").empty());
   fs::create_directory(folder / "new");
   CHECK(holds(again("out/../in/a.obj", "new/b.obj").at(0), "a.mtl, bumps.png, textures/wood.png"));

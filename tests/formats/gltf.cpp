@@ -213,6 +213,8 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   rewrite(r, folder / "out/b.gltf", raised(r.surface, 2));
   CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // b-2.bin was replaced
   CHECK(read(folder / "out/b.gltf").surface.positions == raised(r.surface, 2));
+  CHECK_THROWS_AS(rewrite(r, folder / "nowhere/b.gltf", posed), base::Error);
+  CHECK_FALSE(std::filesystem::exists(folder / "nowhere"));
   rewrite(r, folder / "in/a.gltf", posed);
   CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);
   rewrite(r, folder / "out/c.glb", posed);
