@@ -173,6 +173,8 @@ std::optional<FileId> file_id(const fs::path& file);
 std::uintmax_t count_names(const fs::path& file);
 /// True if the user cannot write this existing file, or it is marked as write-protected.
 bool is_write_protected(const fs::path& file);
+/// How a user removes this protection, for messages.
+extern const char* const way_to_make_writable;
 /// True for names such as "con.obj", which Windows takes for devices in every folder.
 bool is_device_name(const fs::path& file);
 /// Removes a file of this user that no NewFile holds.

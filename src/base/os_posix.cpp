@@ -491,6 +491,8 @@ std::uintmax_t count_names(const fs::path& file) {
   return stat(file.c_str(), &status) == 0 ? status.st_nlink : 1;
 }
 
+const char* const way_to_make_writable = "chmod u+w";
+
 // Root can write any file, but respects the missing permission of the owner.
 bool is_write_protected(const fs::path& file) {
   struct stat status {};

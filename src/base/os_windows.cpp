@@ -494,6 +494,8 @@ std::uintmax_t count_names(const fs::path& file) {
   return found ? found->nNumberOfLinks : 1;
 }
 
+const char* const way_to_make_writable = "Properties, Read-only";
+
 bool is_write_protected(const fs::path& file) {
   const DWORD attributes = GetFileAttributesW(file.c_str());
   if (attributes == INVALID_FILE_ATTRIBUTES) return false;

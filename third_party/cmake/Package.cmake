@@ -13,6 +13,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # would precede the summary of each p
 set(CPACK_SOURCE_IGNORE_FILES "/\\.git" "/\\.cache/" "/build")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 # Required by Debian only: a copyright file in each package, a compressed manual page, zsh's completion in another folder.
