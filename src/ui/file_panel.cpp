@@ -40,7 +40,7 @@ const Task tasks[] = {{Purpose::model, "Open model or session", What::model},
                       {Purpose::save_session, "Save session", {}, Content::session},
                       {Purpose::save_pose, "Save pose", {}, Content::pose},
                       {Purpose::save_cage, "Save cage", {}, Content::cage},
-                      {Purpose::save_model, "Export mesh", {}, Content::model},
+                      {Purpose::save_model, "Export model", {}, Content::model},
                       {Purpose::save_animation, "Export animation", {}, Content::animation}};
 
 const Task& task_of(Purpose purpose) {

@@ -54,9 +54,11 @@ std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
 
 std::vector<std::string_view> FileBrowser::formats() const {
   std::vector<std::string_view> names;
+  const bool serves_captures =
+      purpose == Purpose::model || purpose == Purpose::locate_model || (saves() && saves_capture);
   const auto add = [&](bool (*is)(const formats::Format&)) {
     for (const formats::Format& f : formats::all_formats())
-      if (is(f)) names.push_back(f.extension);
+      if (is(f) && (serves_captures || !f.stores_only_splats())) names.push_back(f.extension);
   };
   if (purpose == Purpose::save_session) return names;
   if (purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage) {

@@ -60,6 +60,7 @@ struct FileBrowser {
   std::filesystem::path asked;  ///< the file or folder that is being read or written; empty: none
   std::string suggested;        ///< proposed file name when saving; kept when the folder changes
   document::FilesInUse in_use;  ///< open files, which must not be overwritten
+  bool saves_capture = false;   ///< the exported model is a capture
   std::string filter;           ///< only entries that contain this text are shown, ignoring case
   std::string filter_problem;   ///< why the path in `filter` cannot be opened; empty: no problem
   std::string warned;           ///< the existing file that is overwritten if the user presses Enter again

@@ -53,6 +53,7 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
 void browse_to_export(Workspace& w, Purpose purpose, const std::string& ending,
                       const std::string& capture_ending) {
   const document::OpenedSurface& model = w.document.model();
+  w.files.browser.saves_capture = model.splats != nullptr;
   browse_to_save(w, purpose, model.path,
                  model.splats ? capture_ending + model.path.extension().string() : ending);
 }
@@ -132,7 +133,7 @@ void add_file_commands(CommandTable& table) {
   table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage, [](Workspace& w) {
     browse_to_save(w, Purpose::save_cage, w.document.model().path, "_cage.obj");
   });
-  table.add("save_model", "Export mesh", "Write the deformed mesh to a file.", {key('E'), true}, is_movable,
+  table.add("save_model", "Export model", "Write the deformed model to a file.", {key('E'), true}, is_movable,
             [](Workspace& w) { browse_to_export(w, Purpose::save_model, "_deformed.obj", "_deformed"); });
   table.add("stop_work", {"Cancel current task", "Cancel"},
             "Cancel the current task: opening a file, making a cage or binding. The document stays as it is.",

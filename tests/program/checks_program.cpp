@@ -14,8 +14,7 @@ namespace {
 struct Checked : test::SmallScene {
   fs::path holed = folder / "holed.obj", low = folder / "low.obj";
 
-  explicit Checked(std::optional<test::WithPixels> pixels = Driver::pictures_wanted(),
-                   glm::ivec2 size = {1280, 800})
+  explicit Checked(std::optional<test::WithPixels> pixels = {}, glm::ivec2 size = {1280, 800})
       : SmallScene(Driver::default_options(size), pixels) {
     d.workspace().view.options.axes = false;
     mesh::Surface cage = test::ball(1.2, 1);

@@ -28,11 +28,11 @@ struct WithPixels {
 };
 inline constexpr WithPixels with_pixels;
 
-/// The program in a test. Draws only if a test needs pixels or VIETE_PICTURES is set.
+/// The program in a test. Draws only if a test needs pixels.
 class Driver : public UserInput {
 public:
   explicit Driver(const app::ViewerOptions& options = default_options(),
-                  std::optional<WithPixels> pixels = pictures_wanted())
+                  std::optional<WithPixels> pixels = {})
       : offscreen_(options,
                    pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
     document().put_deformer({});  // the deformer "As published"
@@ -60,9 +60,6 @@ public:
     CHECK_MESSAGE(!viewer().wants_frame(), "the activity '", viewer().due_activity(), "' begins by itself");
   }
 
-  static std::optional<WithPixels> pictures_wanted() {
-    return std::getenv("VIETE_PICTURES") ? std::optional(with_pixels) : std::nullopt;
-  }
   static app::ViewerOptions default_options() { return default_options({1280, 800}); }
   static app::ViewerOptions default_options(glm::ivec2 size) {
     app::ViewerOptions options;
@@ -146,7 +143,7 @@ inline void Driver::open_dragon(const std::string& pose, const std::filesystem::
 
 /// The program with the dragon.
 struct Dragon : Driver {
-  explicit Dragon(const std::string& pose = "", std::optional<WithPixels> pixels = pictures_wanted())
+  explicit Dragon(const std::string& pose = "", std::optional<WithPixels> pixels = {})
       : Driver(default_options(), pixels) {
     open_dragon(pose);
   }

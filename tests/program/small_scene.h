@@ -15,7 +15,7 @@ inline app::ViewerOptions small_options(glm::ivec2 size = {700, 420}) {
 // A ball with 642 vertices in a cage with 42 vertices.
 struct SmallScene {
   explicit SmallScene(const app::ViewerOptions& options = small_options(),
-                      std::optional<WithPixels> pixels = Driver::pictures_wanted())
+                      std::optional<WithPixels> pixels = {})
       : d(options, pixels) {
     formats::write(folder / "ball.obj", ball(1, 3));
     formats::write(folder / "cage.obj", ball(1.2, 1));

@@ -61,6 +61,23 @@ TEST_CASE("foreign_formats_can_be_opened_but_not_written") {
   CHECK_FALSE(test::mentions(format_list(browser), "FBX"));
 }
 
+TEST_CASE("formats_of_captures_are_offered_only_for_captures") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.spz", "b.obj"}) test::put_file(folder / name, "x");
+  FileBrowser browser;
+  for (const bool capture : {false, true}) {
+    browser.saves_capture = capture;
+    for (const auto purpose : {FileBrowser::Purpose::save_model, FileBrowser::Purpose::save_animation}) {
+      show(browser, purpose, folder.path());
+      CHECK(test::mentions(format_list(browser), "SPZ") == capture);
+    }
+    show(browser, FileBrowser::Purpose::model, folder.path());
+    CHECK(names(browser) == "a.spz b.obj ");
+    show(browser, FileBrowser::Purpose::cage, folder.path());
+    CHECK(names(browser) == "b.obj ");
+  }
+}
+
 TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.stl", "b.obj"}) test::put_file(folder / name, "x");
@@ -69,7 +86,7 @@ TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {
        {FileBrowser::Purpose::model, FileBrowser::Purpose::cage, FileBrowser::Purpose::save_model}) {
     show(browser, purpose, folder.path());
     CHECK(names(browser) == "a.stl b.obj ");
-    if (browser.saves()) CHECK(browser.formats().size() == 7);
+    if (browser.saves()) CHECK(browser.formats().size() == 6);
   }
   for (const auto purpose : {FileBrowser::Purpose::pose, FileBrowser::Purpose::save_pose}) {
     show(browser, purpose, folder.path());
