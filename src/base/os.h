@@ -1,7 +1,8 @@
-// Everything that differs between operating systems. os_posix.cpp and os_windows.cpp implement it; no other
+// Everything that differs between operating systems. os_posix*.cpp and os_windows*.cpp implement it; no other
 // file of src includes a header of a system. Texts are UTF-8. Functions are thread-safe, objects are not.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -55,8 +56,8 @@ std::FILE* reserve_output();
 /// the process ends. Its files cannot be larger than `bytes`, and a crash does not write a core file.
 void limit_process(double bytes, unsigned seconds);
 /// From now on, the calling thread and its new threads can only read these files, and the files in these
-/// folders and below. They cannot write or open other files, use the network or start programs; files that are
-/// open stay open. Needs Linux 5.13; elsewhere, does less or nothing.
+/// folders and below. They cannot write or open other files, use the network or start programs; files that
+/// are open stay open. Needs Linux 5.13; elsewhere, does less or nothing.
 void confine_process(const std::vector<fs::path>& readable);
 
 // ---------------------------------------------------------------- machine
@@ -69,6 +70,9 @@ std::optional<double> total_memory();
 std::optional<double> free_memory();
 /// The calling thread's processor time in seconds; wall time if the system does not measure it.
 double thread_seconds();
+/// Waits until the value is no longer `old`. Whoever changes it calls wake_all().
+void wait_for_change(const std::atomic<std::uint32_t>& value, std::uint32_t old);
+void wake_all(std::atomic<std::uint32_t>& value);
 /// Returns null if the memory is not available. `alignment` must be a power of two.
 void* allocate_aligned(std::size_t alignment, std::size_t bytes);
 void free_aligned(void* memory);

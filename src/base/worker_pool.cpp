@@ -1,9 +1,10 @@
 #include "base/worker_pool.h"
 
 #include <algorithm>
-#include <condition_variable>
+#include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <utility>
 
 #include "base/clock.h"
 #include "base/os.h"
@@ -13,13 +14,13 @@ namespace viete::base {
 struct WorkerPool::State {
   const unsigned long process = os::process_id();
   std::vector<std::jthread> threads;  // threads[i] has the number i + 1; the caller has the number 0
-  std::mutex mutex;
-  std::condition_variable wake, finished;
-  std::uint64_t generation = 0;
-  int busy = 0;
-  std::size_t last = 0;  // threads with a higher number must end
-  std::exception_ptr error;
+  // Waiting threads look at this. The lowest bit changes when `last` is set, the rest counts loops.
+  std::atomic<std::uint32_t> news = 0;
+  std::atomic<std::size_t> last = SIZE_MAX;  // threads with a higher number must end
+  std::atomic<std::uint32_t> busy = 0;       // threads that have not finished this loop
   Cost cost;
+  std::mutex mutex;  // guards the results of threads:
+  std::exception_ptr error;
   double longest = 0;  // the processor time of the slowest thread in this loop, in seconds
 
   std::size_t count = 0, block = 1;
@@ -42,18 +43,17 @@ struct WorkerPool::State {
   }
 
   void serve(std::size_t index) {
-    std::uint64_t seen = 0;
-    for (;;) {
-      {
-        std::unique_lock lock(mutex);
-        wake.wait(lock, [&] { return index > last || generation != seen; });
-        if (index > last) return;
-        seen = generation;
-      }
+    for (std::uint32_t seen = 0;;) {
+      os::wait_for_change(news, seen);
+      const std::uint32_t before = std::exchange(seen, news.load());
+      if (index > last) return;
+      if (seen / 2 == before / 2) continue;
       const double seconds = work(index, threads.size() + 1);
-      const std::lock_guard lock(mutex);
-      longest = std::max(longest, seconds);
-      if (--busy == 0) finished.notify_one();
+      {
+        const std::lock_guard lock(mutex);
+        longest = std::max(longest, seconds);
+      }
+      if (--busy == 0) os::wake_all(busy);
     }
   }
 
@@ -61,21 +61,18 @@ struct WorkerPool::State {
   // leave memory and threads to the rest of the program.
   void start(std::size_t wanted) {
     threads.reserve(wanted);
-    {
-      const std::lock_guard lock(mutex);  // new threads wait until the list is complete
-      while (threads.size() < wanted) {
-        std::jthread thread = try_thread([this, index = threads.size() + 1] { serve(index); });
-        if (!thread.joinable()) break;
-        threads.push_back(std::move(thread));
-      }
-      last = threads.size() == wanted ? wanted : threads.size() / 2;
+    while (threads.size() < wanted) {
+      std::jthread thread = try_thread([this, index = threads.size() + 1] { serve(index); });
+      if (!thread.joinable()) return end_beyond(threads.size() / 2);
+      threads.push_back(std::move(thread));
     }
-    end_beyond_last();
   }
 
-  void end_beyond_last() {
-    wake.notify_all();
-    threads.resize(last);  // waits until the removed threads end
+  void end_beyond(std::size_t number) {
+    last = number;
+    news ^= 1;
+    os::wake_all(news);
+    threads.resize(number);  // waits until the removed threads end
   }
 };
 
@@ -90,11 +87,7 @@ WorkerPool::~WorkerPool() {
     static_cast<void>(state_.release());
     return;
   }
-  {
-    const std::lock_guard lock(state_->mutex);
-    state_->last = 0;
-  }
-  state_->end_beyond_last();
+  state_->end_beyond(0);
 }
 
 int WorkerPool::threads() const {
@@ -115,20 +108,16 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
     for (std::size_t begin = 0; begin < count; begin += block) body(begin, std::min(count, begin + block));
     return;
   }
-  {
-    const std::lock_guard lock(s.mutex);
-    s.count = count;
-    s.block = block;
-    s.body = &body;
-    s.error = nullptr;
-    s.longest = 0;
-    s.busy = static_cast<int>(s.threads.size());
-    ++s.generation;
-  }
-  s.wake.notify_all();
+  s.count = count;
+  s.block = block;
+  s.body = &body;
+  s.error = nullptr;
+  s.longest = 0;
+  s.busy = static_cast<std::uint32_t>(s.threads.size());
+  s.news += 2;
+  os::wake_all(s.news);
   const double seconds = s.work(0, s.threads.size() + 1);
-  std::unique_lock lock(s.mutex);
-  s.finished.wait(lock, [&] { return s.busy == 0; });
+  while (const std::uint32_t others = s.busy) os::wait_for_change(s.busy, others);
   s.cost.caller += seconds;
   s.cost.longest += std::max(seconds, s.longest);
   s.cost.wall += wall_seconds() - begun;

@@ -1,4 +1,4 @@
-// The processor time of a thread on Windows.
+// base/os.h for threads of Windows.
 #define NOMINMAX
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
@@ -40,6 +40,16 @@ double thread_seconds() {
   if (cycle > 0 && QueryThreadCycleTime(GetCurrentThread(), &cycles))
     return cycle * static_cast<double>(cycles);
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// std::atomic::wait() of MinGW uses mutexes and semaphores, which cost 15 times as much.
+void wait_for_change(const std::atomic<std::uint32_t>& value, std::uint32_t old) {
+  auto* address = const_cast<std::atomic<std::uint32_t>*>(&value);
+  while (value.load() == old) WaitOnAddress(address, &old, sizeof old, INFINITE);
+}
+
+void wake_all(std::atomic<std::uint32_t>& value) {
+  WakeByAddressAll(&value);
 }
 
 }  // namespace viete::base::os
