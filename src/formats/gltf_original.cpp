@@ -75,7 +75,9 @@ public:
         shared_file_(std::make_shared<const GltfFile>(std::move(file))),
         shared_map_(std::make_shared<const GltfMap>(std::move(map))),
         file_(*shared_file_),
-        map_(*shared_map_) {}
+        map_(*shared_map_) {
+    if (is_gltf_capture(file_.document)) capture_ = Capture::points;
+  }
 
   std::vector<std::string> beyond_attributes() const override {
     const GltfJson& document = file_.document;
@@ -104,10 +106,6 @@ public:
     return found;
   }
 
-  Capture capture() const override {
-    return is_gltf_capture(file_.document) ? Capture::points : Capture::none;
-  }
-
   std::vector<fs::path> files_beside() const override {
     std::vector<fs::path> files;
     for (const GltfBuffer& buffer : file_.buffers) files.push_back(buffer.path);
@@ -115,43 +113,14 @@ public:
     return files;
   }
 
-  // If no position changed, copies the bytes. Otherwise writes a single file with embedded data.
-  std::vector<std::string> write(const Content& content, TextWriter& out) const override {
-    if (copies(content)) {
-      out.text(bytes_);
-      return std::vector<std::string>();
-    }
-    GltfRewritten result = rewritten_gltf(file_, map_, content.surface, content.positions);
-    for (std::size_t i = file_.binary ? 1 : 0; i < result.buffers.size(); ++i) embed(result, i);
-    put(result, file_.binary, out);
-    return std::move(result.notes);
-  }
-
   std::vector<std::string> write_file(const fs::path& path, const Content& content, Digits,
-                                      base::Progress* progress) const override {
+                                      base::Progress* progress, const MorphMotion* motion) const override {
     const bool binary = base::extension_of(path) == "glb";
-    if (file_.binary == binary && has_no_external_files() && copies(content)) {
+    if (!motion && file_.binary == binary && has_no_external_files() && copies(content)) {
       base::replace_file(path, bytes_);
       return {};
     }
-    return write_result(path, rewritten_gltf(file_, map_, content.surface, content.positions), progress);
-  }
-
-  std::vector<std::string> write_animated(const fs::path& path, const Content& content,
-                                          const MorphMotion& motion,
-                                          base::Progress* progress) const override {
-    const mesh::Surface& rest = content.surface;
-    check_motion(motion, rest.positions.size());
-    return write_result(path, rewritten_gltf(file_, map_, rest, content.positions, &motion, progress),
-                        progress);
-  }
-
-  std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
-
-private:
-  std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
-                                        base::Progress* progress) const {
-    const bool binary = base::extension_of(path) == "glb";
+    GltfRewritten result = rewritten_gltf(file_, map_, content.surface, content.positions, motion, progress);
     base::FilesTogether files;
     put_images(path, result, files);
     if (!binary && !file_.other_chunks.empty())
@@ -166,6 +135,9 @@ private:
     return std::move(result.notes);
   }
 
+  std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
+
+private:
   bool copies(const Content& content) const { return !bytes_.empty() && content.is_at_rest(); }
 
   bool has_no_external_files() const {

@@ -238,10 +238,9 @@ TEST_CASE("captures_in_formats_without_splats_are_points_and_a_note") {
 
 TEST_CASE("captures_are_written_in_the_usual_order") {
   const ReadResult r = test::read_kept(capture("ascii", 24).bytes(), "ply");
-  std::string bytes;
-  TextWriter out([&](std::string_view portion) { bytes += portion; });
-  write_ply({r.surface, r.surface.positions, {}, nullptr, r.splats.get()}, out);
-  out.finish();
+  const std::string bytes = written_text([&](TextWriter& out) {
+    write_ply({r.surface, r.surface.positions, {}, nullptr, r.splats.get()}, out);
+  });
   CapturePly usual = capture("binary_little_endian", 24);
   usual.before.clear();
   usual.value = [value = usual.value](std::size_t v, std::size_t p) {

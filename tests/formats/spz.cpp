@@ -230,11 +230,10 @@ TEST_CASE("invalid_splats_are_written_as_valid_spz") {
   s.opacities = {-INFINITY};
   s.colors = {{std::nanf(""), 1e30F, -1e30F}};
   const mesh::Surface surface = test::read_text("v 0 0 0\n", "obj").surface;
-  std::string bytes;
-  TextWriter out([&](std::string_view portion) { bytes += portion; });
-  write_spz({surface, surface.positions, {}, nullptr, &s}, out);
-  out.finish();
-  const ReadResult r = test::read_text(bytes, "spz");
+  const ReadResult r = test::read_text(written_text([&](TextWriter& out) {
+                                         write_spz({surface, surface.positions, {}, nullptr, &s}, out);
+                                       }),
+                                       "spz");
   CHECK(r.surface.positions == surface.positions);
   CHECK(r.splats->log_scales[0] == std::array<float, 3>{-10, 5.9375F, -10});
   CHECK(near(r.splats->rotations[0][0], 1));

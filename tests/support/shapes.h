@@ -128,11 +128,9 @@ inline Surface moved(Surface s, double scale, double offset = 0) {
 /// Returns the bytes of a file with this surface.
 inline std::string bytes_by(std::string_view extension, const Surface& s,
                             const std::vector<std::string>& comments = {}) {
-  std::string all;
-  formats::TextWriter out([&](std::string_view portion) { all += portion; });
-  formats::format_by_extension(extension)->write({s, s.positions, comments}, out);
-  out.finish();
-  return all;
+  return formats::written_text([&](formats::TextWriter& out) {
+    formats::format_by_extension(extension)->write({s, s.positions, comments}, out);
+  });
 }
 
 inline formats::ReadResult read_text(const std::string& bytes, const std::string& extension) {
@@ -155,12 +153,12 @@ inline formats::ReadResult read_kept(const std::string& bytes, const std::string
 /// Writes the file again, with new positions. Returns the bytes.
 inline std::string written_again(const formats::ReadResult& read, const std::vector<Point>& positions,
                                  formats::Digits digits = {}) {
-  std::string all;
-  formats::TextWriter out([&](std::string_view portion) { all += portion; }, nullptr, digits);
   REQUIRE(read.original);
-  read.original->write({read.surface, positions, {}}, out);
-  out.finish();
-  return all;
+  return formats::written_text(
+      [&](formats::TextWriter& out) {
+        read.original->write({read.surface, positions, {}}, out);
+      },
+      digits);
 }
 
 /// Reads the bytes. Returns the message of the error, or an empty text without an error.
