@@ -104,8 +104,8 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
         Notes{"left out of the OFF file: property quality of vertex, element edge"});
   test::GltfParts parts = test::patch();
   parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
-  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
-  parts.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 2;
+  parts.primitive()["targets"] = {{{"POSITION", 0}}};
+  parts.primitive()["attributes"]["TEXCOORD_1"] = 2;
   CHECK(holds(convert(test::read_kept(parts.glb(), "glb"), c / "a.ply", true).at(0),
               "materials, animations, morph targets, second texture coordinates"));
 }

@@ -2,6 +2,7 @@
 
 #include "formats/gltf_judge.h"
 #include "formats/write.h"
+#include "support/distance.h"
 #include "support/far.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
@@ -11,7 +12,7 @@ using namespace viete::formats;
 using namespace viete::mesh;
 using test::GltfJson;
 using test::GltfParts;
-using test::holds;
+using test::holds, test::largest_distance, test::raised;
 
 namespace {
 
@@ -38,12 +39,6 @@ int accessor_of(const std::string& glb, std::size_t mesh, const char* attribute)
 std::vector<std::string> rewrite(const ReadResult& r, const std::filesystem::path& to,
                                  const std::vector<Point>& positions) {
   return r.original->write_file(to, {r.surface, positions, {}}, {}, nullptr);
-}
-
-std::vector<Point> raised(const Surface& s, double by) {
-  std::vector<Point> posed = s.positions;
-  for (Point& p : posed) p[2] += by * p[0] * p[0];
-  return posed;
 }
 
 }  // namespace
@@ -82,7 +77,7 @@ TEST_CASE("nodes_place_their_meshes") {
 
 TEST_CASE("strips_fans_sparse_and_short_numbers_are_read") {
   GltfParts parts = test::patch();
-  auto& primitive = parts.json["meshes"][0]["primitives"][0];
+  auto& primitive = parts.primitive();
   primitive["indices"] = parts.accessor(std::vector<std::uint8_t>{0, 1, 2, 3, 3, 4}, 5121, "SCALAR", 1);
   primitive["mode"] = 5;
   CHECK(read_parts(parts).surface.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
@@ -154,8 +149,7 @@ TEST_CASE("instances_that_deform_differently_become_separate_meshes") {
   REQUIRE(notes.size() == 1);
   CHECK(holds(notes[0], "shared meshes were copied 1 time"));
   const ReadResult again = read(folder / "b.glb");
-  REQUIRE(again.surface.positions.size() == 12);
-  for (std::size_t i = 0; i < 12; ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
+  CHECK(largest_distance(again.surface.positions, posed) < 1e-6);
 }
 
 TEST_CASE("shared_or_non_float_positions_get_new_accessors") {
@@ -180,8 +174,7 @@ TEST_CASE("shared_or_non_float_positions_get_new_accessors") {
   const auto posed = raised(r.surface, 0.5);
   rewrite(r, folder / "b.glb", posed);
   const ReadResult again = read(folder / "b.glb");
-  REQUIRE(again.surface.positions.size() == posed.size());
-  for (std::size_t i = 0; i < posed.size(); ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
+  CHECK(largest_distance(again.surface.positions, posed) < 1e-6);
   const std::string out = test::file_bytes(folder / "b.glb");
   CHECK(accessor_of(out, 0, "POSITION") != 0);  // the animation still uses accessor 0
   CHECK(floats_by_judge(folder / "b.glb", 0) == floats_by_judge(folder / "a.glb", 0));
@@ -398,7 +391,7 @@ TEST_CASE("invalid_gltf_is_rejected_with_its_place") {
   }
   GltfParts past = good;
   const std::size_t indices = past.accessor(std::vector<std::uint16_t>{0, 1, 8}, 5123, "SCALAR", 1);
-  past.json["meshes"][0]["primitives"][0]["indices"] = indices;
+  past.primitive()["indices"] = indices;
   CHECK(holds(refusal_of(past), "has index 8, the primitive has 8 vertices"));
 
   CHECK(holds(test::refusal(good.glb().substr(0, 400), "glb"), "the header declares"));

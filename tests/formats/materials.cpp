@@ -245,7 +245,7 @@ TEST_CASE("names_that_libraries_cannot_contain_are_replaced") {
   parts.json["textures"] = {{{"source", 0}}};
   parts.json["materials"] = {{{"name", "m"}, {"emissiveTexture", {{"index", 0}}}}};
   parts.json["nodes"][0]["name"] = "a#";
-  parts.json["meshes"][0]["primitives"][0]["material"] = 0;
+  parts.primitive()["material"] = 0;
   test::put_file(p / "out/c.glb", parts.glb());
   test::put_file(p / "out/h#\n.png", png({1, 2, 3, 255}));
   p.convert("out/c.glb", "out/c#.obj");

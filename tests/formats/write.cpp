@@ -162,7 +162,7 @@ TEST_CASE("captures_without_complete_splats_are_named_and_only_written_unmoved")
   const std::string capture = head + floats + "opacity\n" + floats + "scale_0\n" + floats +
                               "rot_0\nend_header\n0 0 0 1 -4 1\n1 0 0 1 -4 1\n0 1 0 1 -4 1\n";
   test::GltfParts gltf = test::patch();
-  auto& primitive = gltf.json["meshes"][0]["primitives"][0];
+  auto& primitive = gltf.primitive();
   primitive["mode"] = 0;
   primitive["extensions"]["KHR_gaussian_splatting"] = {{"kernel", "ellipse"}};
   for (const auto& [bytes, extension] : {std::pair(capture, "ply"), {gltf.glb(), "glb"}}) {

@@ -125,6 +125,13 @@ inline Surface moved(Surface s, double scale, double offset = 0) {
   return s;
 }
 
+/// Returns the positions, with by * x^2 added to z.
+inline std::vector<Point> raised(const Surface& s, double by) {
+  std::vector<Point> posed = s.positions;
+  for (Point& p : posed) p[2] += by * p[0] * p[0];
+  return posed;
+}
+
 /// Returns the bytes of a file with this surface.
 inline std::string bytes_by(std::string_view extension, const Surface& s,
                             const std::vector<std::string>& comments = {}) {
