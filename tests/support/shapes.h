@@ -23,12 +23,9 @@
 #include "mesh/triangulation.h"
 #include "support/folder.h"
 #include "support/random.h"
+#include "support/text.h"
 
 namespace viete::test {
-
-inline bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 inline std::string repeated(const std::string& text, int times) {
   std::string all;
@@ -185,7 +182,7 @@ inline void check_refusals(const std::string& extension,
                            const std::vector<std::pair<std::string, std::string>>& files) {
   for (const auto& [bytes, said] : files) {
     const std::string found = refusal(bytes, extension);
-    CHECK_MESSAGE(holds(found, said), found);
+    CHECK_MESSAGE(mentions(found, said), found);
   }
 }
 
