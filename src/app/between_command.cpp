@@ -7,8 +7,8 @@
 
 #include "app/inputs.h"
 #include "base/error.h"
-#include "base/memory.h"
 #include "base/numbered_files.h"
+#include "base/os.h"
 #include "base/text.h"
 #include "document/animation.h"
 #include "formats/point_cache.h"
@@ -127,7 +127,7 @@ int write_motion(const BetweenOptions& options) {
 }
 
 int between(BetweenOptions options) {
-  base::keep_freed_memory();
+  base::os::keep_freed_memory();
   expand_pattern(options.files);
   if (options.at) return run_cancellable(options.output, [&] { return write_moment(options); });
   return run_cancellable(

@@ -13,7 +13,6 @@
 #include "cages/capture.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
-#include "foreign/kinds.h"
 #include "foreign/read.h"
 #include "formats/format_table.h"
 #include "formats/write.h"

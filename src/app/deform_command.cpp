@@ -86,7 +86,7 @@ void note_rounding(std::span<const float> floats, double diagonal, double& noted
   const double rounding = 0x1p-24 * farthest;
   if (rounding <= noted) return;
   noted = 2 * rounding;
-  if (auto note = formats::rounding_note(noted, diagonal); !note.empty()) print_notes({std::move(note)});
+  print_notes(formats::rounding_notes(noted, diagonal));
 }
 
 void write_positions(const deform::FrameDeformer& deformer, std::size_t number, std::vector<float>& floats) {

@@ -14,7 +14,7 @@
 #include "base/text.h"
 #include "document/checks.h"
 #include "document/elements.h"
-#include "foreign/kinds.h"
+#include "foreign/read.h"
 
 namespace viete::app {
 

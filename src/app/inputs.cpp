@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "foreign/kinds.h"
+#include "foreign/read.h"
 
 namespace viete::app {
 

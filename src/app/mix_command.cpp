@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "document/animation.h"
 #include "document/document_state.h"
-#include "foreign/kinds.h"
+#include "foreign/read.h"
 
 namespace viete::app {
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "base/memory.h"
+#include "base/os.h"
 #include "deform/vertex_sample.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"
@@ -14,7 +14,7 @@ bool SurfaceChecks::follow(workspace::Workspace& w) {
     checked_ = now;
     job_.start([model = w.document.model(), cage = w.document.cage_file()](base::Progress& progress) {
       auto findings = document::check(model, cage, &progress);
-      base::release_freed_memory();
+      base::os::release_freed_memory();
       return findings;
     });
   }

@@ -11,7 +11,7 @@
 #include "app/inputs.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "foreign/kinds.h"
+#include "foreign/read.h"
 #include "shapes/example_posing.h"
 
 namespace viete::app {

@@ -4,7 +4,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "base/memory.h"
+#include "base/os.h"
 #include "document/checks.h"
 #include "document/edit.h"
 #include "mesh/normals.h"
@@ -91,7 +91,7 @@ Bound bind(const Pair& pair, const pose::Deformer& deformer, sym3::Method method
     bound.stitching =
         std::make_shared<const deform::Stitching>(deform::stitch(*model, *cage, pool, deformer, &progress));
   }
-  base::release_freed_memory();
+  base::os::release_freed_memory();
   return bound;
 }
 

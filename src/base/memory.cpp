@@ -26,26 +26,14 @@ void free_aligned(void* memory) {
   os::free_aligned(memory);
 }
 
-void release_freed_memory() {
-  os::release_freed_memory();
-}
-
-void keep_freed_memory() {
-  os::keep_freed_memory();
-}
-
-std::optional<double> free_memory() {
-  return os::free_memory();
-}
-
 void refuse_memory(const MemoryNeed& need) {
-  const auto free = free_memory();
+  const auto free = os::free_memory();
   const std::string rest = free ? ", of which " + memory_size(*free) + " are free" : "";
   throw Error(need.place, need.taker + " " + memory_size(need.bytes) + " of memory" + rest, need.advice);
 }
 
 void require_memory(const MemoryNeed& need) {
-  const auto free = free_memory();
+  const auto free = os::free_memory();
   if (free && need.bytes > 0.9 * *free) refuse_memory(need);
 }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <limits>
 #include <new>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,15 +43,6 @@ struct CacheLineAllocator {
 
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
-
-/// Returns freed memory to the system. Call this after work with many small arrays.
-void release_freed_memory();
-/// From now on, keeps the memory of freed large arrays for other arrays. By default, it returns to the
-/// system, and a command that makes many large arrays spends a third of its time on clearing new memory.
-void keep_freed_memory();
-
-/// Returns the bytes of free memory, or nullopt if the system does not report this number. Thread-safe.
-std::optional<double> free_memory();
 
 /// An amount of memory, and the texts of the error if the memory is not available.
 struct MemoryNeed {

@@ -44,7 +44,6 @@ bool has_display();
 /// Opens a page in the user's browser. Throws Error.
 void open_page(const fs::path& page);
 std::tm local_time(std::time_t time);
-std::tm universal_time(std::time_t time);
 /// True if the file is a terminal.
 bool is_terminal(std::FILE* file);
 /// Turns off the translation of line ends.
@@ -65,7 +64,7 @@ void confine_process(const std::vector<fs::path>& readable);
 /// The names of the system and the processor; empty if unknown.
 std::string system_name();
 std::string processor_name();
-/// Bytes; nullopt if unknown.
+/// Bytes, or nullopt if the system does not report them.
 std::optional<double> total_memory();
 std::optional<double> free_memory();
 /// The calling thread's processor time in seconds; wall time if the system does not measure it.
@@ -78,8 +77,10 @@ void* allocate_aligned(std::size_t alignment, std::size_t bytes);
 void free_aligned(void* memory);
 /// Lets the system use large pages; a failure only costs speed.
 void use_large_pages(void* memory, std::size_t bytes);
-/// See the functions with these names in base/memory.h.
+/// Returns freed memory to the system. Call this after work with many small arrays.
 void release_freed_memory();
+/// From now on, keeps the memory of freed large arrays for other arrays. By default, it returns to the
+/// system, and a command that makes many large arrays spends a third of its time on clearing new memory.
 void keep_freed_memory();
 
 /// A library that stays loaded until the process ends, because drivers crash when they are unloaded. Its

@@ -109,12 +109,6 @@ std::tm local_time(std::time_t time) {
   return parts;
 }
 
-std::tm universal_time(std::time_t time) {
-  std::tm parts{};
-  gmtime_r(&time, &parts);
-  return parts;
-}
-
 bool is_terminal(std::FILE* file) {
   return isatty(fileno(file)) == 1;
 }

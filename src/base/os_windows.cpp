@@ -145,12 +145,6 @@ std::tm local_time(std::time_t time) {
   return parts;
 }
 
-std::tm universal_time(std::time_t time) {
-  std::tm parts{};
-  gmtime_s(&parts, &time);
-  return parts;
-}
-
 bool is_terminal(std::FILE* file) {
   const auto handle = reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(file)));
   DWORD mode = 0;

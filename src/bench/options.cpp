@@ -9,7 +9,7 @@
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
-#include "foreign/kinds.h"
+#include "foreign/read.h"
 #include "sym3/kernel.h"
 
 namespace viete::bench {

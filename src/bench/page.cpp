@@ -1,7 +1,7 @@
 #include "bench/page.h"
 
 #include <algorithm>
-#include <ctime>
+#include <chrono>
 #include <thread>
 
 #include "app/assets.h"
@@ -44,11 +44,13 @@ std::string figure(std::string_view title, std::string_view svg) {
 namespace {
 
 std::string date_now() {
-  const std::time_t now = std::time(nullptr);
-  const std::tm utc = base::os::universal_time(now);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &utc);
-  return text;
+  using namespace std::chrono;
+  const auto now = floor<minutes>(system_clock::now());
+  const auto day = floor<days>(now);
+  const year_month_day date(day);
+  const hh_mm_ss time(now - day);
+  return base::formatted("%04d-%02u-%02u %02d:%02d UTC", int(date.year()), unsigned(date.month()),
+                         unsigned(date.day()), int(time.hours().count()), int(time.minutes().count()));
 }
 
 // The colours of the plots and the colours that replace them in the dark theme.

@@ -12,7 +12,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "bench/page.h"
-#include "foreign/kinds.h"
+#include "foreign/read.h"
 
 namespace viete::bench {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/memory.h"
+#include "base/os.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
 #include "weights/surface_weights.h"
@@ -39,7 +39,7 @@ pose::Deformer for_model(const mesh::Surface& model, pose::Deformer deformer) {
 
 bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
   const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
-  return bytes < 0.25 * base::free_memory().value_or(0);
+  return bytes < 0.25 * base::os::free_memory().value_or(0);
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
-#include "base/memory.h"
+#include "base/os.h"
 #include "document/checks.h"
 #include "pose/deformer.h"
 #include "weights/bind.h"
@@ -36,7 +37,7 @@ bool AnimatedModel::can_fuse() const {
   const std::size_t handles = pose::handle_count(*model_.cage, model_.deformer.weighting.elements);
   const double weights =
       4.0 * static_cast<double>(handles) * static_cast<double>(model_.model->positions.size());
-  return weights < 0.5 * base::free_memory().value_or(0);
+  return weights < 0.5 * base::os::free_memory().value_or(0);
 }
 
 void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
@@ -82,8 +83,7 @@ deform::ExactModel AnimatedModel::exact(const document::WholePose& pose, base::P
                                         ExactDeformer::Weights::kept, model_.mask, progress, model_.splats);
   deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), pose.shape, progress);
   take_notes(deformed.report, pose, deformed.warnings);
-  if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())
-    notes_.push_back(std::move(note));
+  std::ranges::move(method_notes(model_.method, deformed.exp_error), std::back_inserter(notes_));
   return deformed;
 }
 
@@ -99,7 +99,7 @@ void AnimatedModel::run_fast(double frame) {
 void AnimatedModel::take_notes(const pose::LogReport& report, const document::WholePose& pose,
                                const std::vector<std::string>& warnings) {
   notes_ = animation_->notes();
-  for (auto& note : document::pose_notes(report, *model_.cage, pose.cage)) notes_.push_back(std::move(note));
+  std::ranges::move(document::pose_notes(report, *model_.cage, pose.cage), std::back_inserter(notes_));
   notes_.insert(notes_.end(), warnings.begin(), warnings.end());
 }
 

@@ -99,8 +99,7 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
     notes.add(model.notes());
     return positions;
   });
-  if (auto note = formats::rounding_note(model.rounding(), diagonal_of(what)); !note.empty())
-    notes.add({std::move(note)});
+  notes.add(formats::rounding_notes(model.rounding(), diagonal_of(what)));
   if (what.model.splats) notes.add({"left out of the point cache: " + std::string(formats::splat_content)});
   report.notes = notes.take();
   report.summary = base::counted(frames.size(), "frame") + " of " +
@@ -378,8 +377,7 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
   model.notes().add(formats::write_animated(what.model.file, content, what.model.original.get(),
                                             model.motion(plan), progress));
   const bool original = formats::writes_itself(what.model.original.get(), what.model.file);
-  const std::string units = original ? "" : gltf_note(what.model.up);
-  if (!units.empty()) model.notes().add({units});
+  if (!original) model.notes().add(gltf_notes(what.model.up));
   return model.report(plan);
 }
 

@@ -100,22 +100,19 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
   if (split)
     notes.push_back("split " + base::counted(parts.split, "stretched splat") + ": the file has " +
                     std::to_string(parts.positions.size()) + " splats");
-  std::ranges::move(deformed.warnings, std::back_inserter(notes));
-  for (auto& note : document::pose_notes(deformed.report, *what.cage, what.pose))
-    notes.push_back(std::move(note));
-  const bool new_gltf = !writes_original(what) && formats::surface_format(what.file).in_metres;
-  for (const std::string& note :
-       {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.up) : ""}) {
-    if (!note.empty()) notes.push_back(note);
-  }
+  const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(notes)); };
+  add(std::move(deformed.warnings));
+  add(document::pose_notes(deformed.report, *what.cage, what.pose));
+  add(method_notes(what.method, deformed.exp_error));
+  if (!writes_original(what) && formats::surface_format(what.file).in_metres) add(gltf_notes(what.up));
   return notes;
 }
 
-std::string gltf_note(document::UpAxis up) {
-  return up == document::UpAxis::z
-             ? "the up axis of this glTF file is Z, but other programs expect Y: in these programs, rotate "
-               "the model by -90 degrees about X"
-             : "";
+std::vector<std::string> gltf_notes(document::UpAxis up) {
+  if (up != document::UpAxis::z) return {};
+  return {
+      "the up axis of this glTF file is Z, but other programs expect Y: in these programs, rotate the model "
+      "by -90 degrees about X"};
 }
 
 std::string at_most(double error) {
@@ -123,14 +120,14 @@ std::string at_most(double error) {
   return base::formatted("%.1e", error + half_a_digit);
 }
 
-std::string method_note(sym3::Method method, double worst_error) {
+std::vector<std::string> method_notes(sym3::Method method, double worst_error) {
   constexpr double negligible = 1e-9;  // 1000 * the error for well-separated eigenvalues
-  if (worst_error <= negligible) return "";
+  if (worst_error <= negligible) return {};
   const std::string name(sym3::name(method));
   if (!std::isfinite(worst_error))
-    return "method " + name + " gives NaN in this pose; use method fast or diag";
-  return "method " + name + " has relative errors up to " + at_most(worst_error) +
-         " in this pose, because eigenvalues nearly coincide; use method fast or diag (error below 1e-14)";
+    return {"method " + name + " gives NaN in this pose; use method fast or diag"};
+  return {"method " + name + " has relative errors up to " + at_most(worst_error) +
+          " in this pose, because eigenvalues nearly coincide; use method fast or diag (error below 1e-14)"};
 }
 
 }  // namespace viete::files

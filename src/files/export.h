@@ -50,13 +50,13 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
 void keep_at_rest(const pose::Cage& cage, const pose::Pose& pose, const pose::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions);
 
-/// If the up axis is Z, returns a warning, because other programs read glTF with Y up. Otherwise returns "".
-std::string gltf_note(document::UpAxis up);
+/// If the up axis is Z, returns a warning, because other programs read glTF with Y up.
+std::vector<std::string> gltf_notes(document::UpAxis up);
 
 /// Returns the error, rounded up to two digits: "5.8e-07".
 std::string at_most(double error);
 
-/// worst_error: relative error of exponentials. If the error exceeds 1e-9, returns a warning, otherwise "".
-std::string method_note(sym3::Method method, double worst_error);
+/// worst_error: relative error of exponentials. If the error exceeds 1e-9, returns a warning.
+std::vector<std::string> method_notes(sym3::Method method, double worst_error);
 
 }  // namespace viete::files

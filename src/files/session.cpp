@@ -498,8 +498,6 @@ void check_indices(const fs::path& file, const char* key, const std::vector<std:
              counted(kind, count) + ", counted from 0");
 }
 
-}  // namespace
-
 void check_poses(const document::DocumentState& state, const pose::Cage* cage, const mesh::Surface& model,
                  const fs::path& file) {
   const std::size_t vertices = cage ? cage->surface.positions.size() : 0,
@@ -516,6 +514,8 @@ void check_poses(const document::DocumentState& state, const pose::Cage* cage, c
     for (const document::PoseKey& key : *keys)
       check("time", "the pose of frame " + std::to_string(key.frame), key.pose);
 }
+
+}  // namespace
 
 void check_fits(const document::Document& document, const Session& session, const fs::path& file) {
   const mesh::Surface& model = *document.model().surface;

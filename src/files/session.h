@@ -44,9 +44,6 @@ Session read_session(const std::filesystem::path& file);
 /// Otherwise throws base::Error with `file` and the key. The document must have the session's state.
 void check_fits(const document::Document& document, const Session& session,
                 const std::filesystem::path& file);
-/// Works like check_fits(), but checks only named poses and keys.
-void check_poses(const document::DocumentState& state, const pose::Cage* cage, const mesh::Surface& model,
-                 const std::filesystem::path& file);
 
 /// Returns warnings if the file of the model or cage has changed since the session was saved.
 std::vector<std::string> changes_since(const Session& session, const document::Document& document,

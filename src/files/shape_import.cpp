@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/text.h"
-#include "foreign/kinds.h"
 #include "foreign/read.h"
 #include "formats/format_table.h"
 #include "formats/point_cache.h"

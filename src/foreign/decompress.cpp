@@ -111,11 +111,9 @@ public:
     for (const char* key : {"extensionsUsed", "extensionsRequired"}) remove_names(key);
     document_["buffers"] = {{{"byteLength", bytes_.size()}}};
     if (bytes_.empty()) document_.erase("buffers");
-    std::string glb;
-    formats::TextWriter out([&](std::string_view portion) { glb += portion; });
-    formats::write_glb_chunks(document_.dump(), bytes_, file_.other_chunks, out);
-    out.finish();
-    return glb;
+    return formats::written_text([&](formats::TextWriter& out) {
+      formats::write_glb_chunks(document_.dump(), bytes_, file_.other_chunks, out);
+    });
   }
 
 private:

@@ -1,5 +1,6 @@
 #include "foreign/read.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,8 +10,8 @@
 #include "base/os.h"
 #include "base/process.h"
 #include "base/text.h"
-#include "foreign/kinds.h"
 #include "foreign/scene.h"
+#include "formats/format_table.h"
 #include "formats/read.h"
 #include "formats/surface_builder.h"
 
@@ -45,23 +46,18 @@ class ForeignOriginal final : public formats::Original {
 public:
   ForeignOriginal(const Kind& kind, const formats::Source& source, Scene scene)
       : Original(kind.name, source), ignored_(std::move(scene.ignored)) {
-    images_.folder = source.folder;
+    companions_.folder = source.folder;
     for (const formats::ImageFile& image : scene.attributes.images)
-      if (!image.path.empty()) images_.files.push_back(image.path);
+      if (!image.path.empty()) companions_.files.push_back(image.path);
     if (!scene.targets.empty())
       morphs_ = std::make_shared<const SceneMorphs>(std::move(scene.positions), std::move(scene.targets));
   }
 
   std::vector<std::string> beyond_attributes() const override { return ignored_; }
-  formats::Companions companions() const override { return images_; }
   std::shared_ptr<const formats::MorphClip> morphs() const override { return morphs_; }
-  std::vector<std::string> write(const formats::Content&, formats::TextWriter&) const override {
-    throw base::Error(name_, std::string(format()) + " files cannot be written", "save as .glb or .obj");
-  }
 
 private:
   std::vector<std::string> ignored_;
-  formats::Companions images_;
   std::shared_ptr<const formats::MorphClip> morphs_;
 };
 
@@ -145,10 +141,8 @@ formats::ReadResult read_foreign(const formats::Source& source, const Kind& kind
   surface.positions = scene.positions;
   surface.corners = std::move(scene.corners);
   surface.polygon_starts = std::move(scene.polygon_starts);
-  for (const std::string& note : scene.notes) builder.warn(source.name + ": " + note);
-  formats::ReadResult result = builder.finish(std::string(kind.name));
-  if (!scene.attributes.empty())
-    result.attributes = std::make_shared<const formats::Attributes>(scene.attributes);
+  for (const std::string& note : scene.notes) builder.warn(note);
+  formats::ReadResult result = builder.finish(std::string(kind.name), scene.attributes);
   result.original = std::make_shared<const ForeignOriginal>(kind, source, std::move(scene));
   return result;
 }
@@ -174,6 +168,35 @@ formats::ReadResult read_compressed(formats::Source source, const formats::Compr
 }
 
 }  // namespace
+
+std::span<const Kind> all_kinds() {
+  static constexpr Kind kinds[] = {
+      {"fbx", "FBX"},       {"dae", "Collada"},   {"zae", "Collada"},   {"3ds", "3DS"},
+      {"blend", "Blender"}, {"x", "DirectX"},     {"lwo", "LightWave"}, {"lws", "LightWave"},
+      {"lxo", "Modo"},      {"3mf", "3MF"},       {"amf", "AMF"},       {"x3d", "X3D"},
+      {"x3db", "X3D"},      {"wrl", "VRML"},      {"m3d", "M3D"},       {"ms3d", "MilkShape"},
+      {"ogex", "OpenGEX"},  {"iqm", "IQM"},       {"ase", "ASE"},       {"ac", "AC3D"},
+      {"b3d", "Blitz3D"},   {"cob", "trueSpace"}, {"scn", "trueSpace"}, {"dxf", "DXF"},
+      {"hmp", "HMP"},       {"ifc", "IFC"},       {"irr", "Irrlicht"},  {"irrmesh", "Irrlicht"},
+      {"md2", "MD2"},       {"md3", "MD3"},       {"md5mesh", "MD5"},   {"mdc", "MDC"},
+      {"mdl", "MDL"},       {"ndo", "Nendo"},     {"nff", "NFF"},       {"pmx", "PMX"},
+      {"q3o", "Quick3D"},   {"q3s", "Quick3D"},   {"sib", "Silo"},      {"smd", "SMD"},
+      {"ter", "Terragen"},  {"xgl", "XGL"},       {"zgl", "XGL"}};
+  return kinds;
+}
+
+std::string model_formats() {
+  return formats::format_names(formats::holds_surface, ", ") + ", FBX and others";
+}
+
+std::string a_mesh() {
+  return "Mesh (" + model_formats() + ")";
+}
+
+const Kind* kind_of(const fs::path& file) {
+  const auto found = std::ranges::find(all_kinds(), base::extension_of(file), &Kind::extension);
+  return found == all_kinds().end() ? nullptr : &*found;
+}
 
 formats::ReadResult read(const fs::path& path, base::Progress* progress, bool played, double most_seconds) {
   formats::Source source{path.string(), base::extension_of(path), "", progress};

@@ -9,7 +9,7 @@ namespace viete::formats {
 
 /// The end of a reader's warning about a capture whose splats are not read; see Capture::points.
 inline constexpr const char* capture_note =
-    ": this is a capture (Gaussian splats) of a kind that is only shown as points and cannot be deformed; "
+    "this is a capture (Gaussian splats) of a kind that is only shown as points and cannot be deformed; "
     "convert it to .ply or .spz with complete splats";
 
 // Readers can throw base::Error and base::Cancelled. If source.owner is set, they set ReadResult::original.

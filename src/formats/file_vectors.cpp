@@ -49,7 +49,7 @@ public:
 private:
   std::string_view at(std::size_t place, base::NumberType type) const {
     const std::string_view rest = source_.bytes.substr(place);
-    return file_.text ? TextCursor(Source{"", "", rest}, {}).rest_of_word() : rest.substr(0, size_of(type));
+    return file_.text ? TextCursor(rest).rest_of_word() : rest.substr(0, size_of(type));
   }
 
   // Returns the vector in a row, or zero for a row without places. Components that are not numbers are NaN.
@@ -147,11 +147,12 @@ private:
 class VectorOriginal final : public Original {
 public:
   VectorOriginal(const Source& source, VectorFile file)
-      : Original(file.format, source), file_(std::move(file)) {}
+      : Original(file.format, source), file_(std::move(file)) {
+    companions_ = file_.companions;
+    capture_ = file_.capture;
+  }
 
   std::vector<std::string> beyond_attributes() const override { return file_.beyond_attributes; }
-  Companions companions() const override { return file_.companions; }
-  Capture capture() const override { return file_.capture; }
 
   std::vector<std::string> write(const Content& content, TextWriter& out) const override {
     const Source source = this->source();
@@ -167,9 +168,7 @@ public:
     rewriter.finish();
     double rounding = 0;
     for (const Changes& changes : all) rounding = std::max(rounding, changes.rounding());
-    std::string note = rounding_note(rounding, mesh::bounds(content.positions).diagonal());
-    if (note.empty()) return {};
-    return {std::move(note)};
+    return rounding_notes(rounding, mesh::bounds(content.positions).diagonal());
   }
 
 private:

@@ -68,7 +68,7 @@ struct VectorFile {
   std::endian order = std::endian::little;  ///< byte order of binary numbers
   std::vector<FileVectors> vectors = {};
   std::vector<std::string> beyond_attributes = {};  ///< see Original::beyond_attributes()
-  Companions companions = {};                       ///< see Original::companions()
+  Companions companions = {};                       ///< see Original::write_file()
   Capture capture = Capture::none;                  ///< see Original::capture()
 };
 

@@ -59,11 +59,7 @@ TextureTransform transform_of(const GltfJson& texture) {
 class GltfReader {
 public:
   GltfReader(const Source& source, GltfFile file)
-      : source_(source),
-        file_(std::move(file)),
-        accessors_(file_),
-        builder_(source),
-        attributes_(std::make_shared<Attributes>()) {}
+      : source_(source), file_(std::move(file)), accessors_(file_), builder_(source) {}
 
   ReadResult read() {
     for (const std::string& warning : file_.warnings) builder_.warn(warning);
@@ -76,8 +72,7 @@ public:
     }
     warn_about_ignored_content();
     drop_unused_attributes();
-    ReadResult result = builder_.finish(file_.binary ? "glTF binary" : "glTF");
-    if (!attributes_->empty()) result.attributes = attributes_;
+    ReadResult result = builder_.finish(file_.binary ? "glTF binary" : "glTF", std::move(attributes_));
     result.original = gltf_original(source_, std::move(file_), std::move(map_));
     return result;
   }
@@ -86,13 +81,13 @@ private:
   using PieceKey = std::tuple<int, int, int, int, int>;
 
   void take_materials() {
-    auto& images = attributes_->images;
+    auto& images = attributes_.images;
     for (const GltfImage& image : file_.images) {
       images.push_back(image.file);
       if (image.file.name.empty()) images.back().name = "image " + std::to_string(images.size() - 1);
     }
     for (const GltfJson& m : list_of(file_.document, "materials"))
-      attributes_->materials.push_back(material_of(m));
+      attributes_.materials.push_back(material_of(m));
   }
 
   Material material_of(const GltfJson& m) {
@@ -208,7 +203,7 @@ private:
     if (!element_of(file_.document, "materials", material).is_null())
       group.material = static_cast<std::uint32_t>(material);
     group.smooth = accessor_of(primitive, "NORMAL") >= 0;
-    auto& groups = attributes_->groups;
+    auto& groups = attributes_.groups;
     if (!groups.empty() && groups.back().first_polygon == polygons_)
       groups.pop_back();  // the previous group has no polygons
     groups.push_back(group);
@@ -287,18 +282,18 @@ private:
 
   // In glTF, v = 0 is the top row of the image. In Attributes, v = 0 is the bottom row.
   void add_texture(const Piece& piece, int accessor, const TextureTransform& transform) {
-    attributes_->texture_points.resize(piece.first + piece.count, Vec2{0, 0});
+    attributes_.texture_points.resize(piece.first + piece.count, Vec2{0, 0});
     if (accessor < 0) return;
     const std::vector<double> numbers = matching(piece, accessor, 2);
     for (std::size_t i = 0; i < piece.count; ++i) {
       const Vec2 p = transform({numbers[2 * i], numbers[2 * i + 1]});
-      if (std::isfinite(p[0] + p[1])) attributes_->texture_points[piece.first + i] = {p[0], 1 - p[1]};
+      if (std::isfinite(p[0] + p[1])) attributes_.texture_points[piece.first + i] = {p[0], 1 - p[1]};
     }
     has_texture_ = true;
   }
 
   void add_normals(const Piece& piece, int accessor, const AffineMap& map) {
-    attributes_->normals.resize(piece.first + piece.count, mesh::Vec3{0, 0, 0});
+    attributes_.normals.resize(piece.first + piece.count, mesh::Vec3{0, 0, 0});
     if (accessor < 0) return;
     std::vector<double> numbers = matching(piece, accessor, 3);
     const std::vector<double> added =
@@ -309,7 +304,7 @@ private:
       mesh::Vec3 n{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
       if (turns) n = map.of_normal(n);
       if (turns && mesh::norm(n) > 0) n = (1 / mesh::norm(n)) * n;
-      if (std::isfinite(n[0] + n[1] + n[2])) attributes_->normals[piece.first + i] = n;
+      if (std::isfinite(n[0] + n[1] + n[2])) attributes_.normals[piece.first + i] = n;
     }
     has_normals_ = true;
   }
@@ -352,8 +347,8 @@ private:
     for (const std::uint32_t v : t) {
       const auto vertex = static_cast<std::uint32_t>(piece.first + v);
       map_.corner_vertex.push_back(vertex);
-      attributes_->corner_texture.push_back(piece.has_texture ? vertex : mesh::none);
-      attributes_->corner_normal.push_back(piece.has_normals ? vertex : mesh::none);
+      attributes_.corner_texture.push_back(piece.has_texture ? vertex : mesh::none);
+      attributes_.corner_normal.push_back(piece.has_normals ? vertex : mesh::none);
     }
     ++polygons_;
   }
@@ -383,7 +378,7 @@ private:
       }
       map_.surface_vertex[first + i] = static_cast<std::uint32_t>(builder_.vertex_count());
       builder_.position(is_shaped ? shaped_[i] : points_[first + i]);
-      attributes_->colors.push_back(colors_[first + i]);
+      attributes_.colors.push_back(colors_[first + i]);
     }
     for (std::size_t c = first_corner; c < map_.corner_vertex.size(); ++c) {
       builder_.corner(map_.surface_vertex[map_.corner_vertex[c]]);
@@ -392,21 +387,19 @@ private:
   }
 
   void warn_about_ignored_content() {
-    if (is_gltf_capture(file_.document)) builder_.warn(file_.name + capture_note);
+    if (is_gltf_capture(file_.document)) builder_.warn(capture_note);
     if (unseen_primitives_ > 0)
-      builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
+      builder_.warn(base::counted(unseen_primitives_, "primitive") +
                     " of points or lines: deformed, but not drawn");
     if (is_basis_)
-      builder_.warn(file_.name +
-                    ": Basis textures (KHR_texture_basisu) are not shown; export PNG or JPEG textures");
+      builder_.warn("Basis textures (KHR_texture_basisu) are not shown; export PNG or JPEG textures");
     if (morphs_ && !source_.played && has_animation(file_.document, true))
-      builder_.warn(file_.name +
-                    (is_shaped_ ? ": morph targets keep their default weights; their animation is ignored"
-                                : ": the animation of morph targets is ignored"));
+      builder_.warn(is_shaped_ ? "morph targets keep their default weights; their animation is ignored"
+                               : "the animation of morph targets is ignored");
   }
 
   void drop_unused_attributes() {
-    Attributes& a = *attributes_;
+    Attributes& a = attributes_;
     if (!has_texture_) {
       a.texture_points.clear();
       a.corner_texture.clear();
@@ -423,7 +416,7 @@ private:
   GltfFile file_;
   GltfAccessors accessors_;
   SurfaceBuilder builder_;
-  std::shared_ptr<Attributes> attributes_;
+  Attributes attributes_;
   GltfMap map_;
   std::vector<mesh::Point> points_;  // one per vertex of the file, in scene coordinates
   std::vector<Color> colors_;        // one per vertex of the file

@@ -11,7 +11,6 @@
 #include "base/progress.h"
 #include "formats/gltf_accessors.h"
 #include "formats/gltf_file.h"
-#include "formats/gltf_scene.h"
 #include "formats/original.h"
 
 namespace viete::formats {

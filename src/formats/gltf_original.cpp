@@ -72,13 +72,13 @@ class GltfOriginal final : public Original {
 public:
   GltfOriginal(const Source& source, GltfFile file, GltfMap map)
       : Original("glTF", source),
-        shared_file_(std::make_shared<const GltfFile>(std::move(file))),
-        shared_map_(std::make_shared<const GltfMap>(std::move(map))),
-        file_(*shared_file_),
-        map_(*shared_map_) {}
+        file_(std::make_shared<const GltfFile>(std::move(file))),
+        map_(std::make_shared<const GltfMap>(std::move(map))) {
+    if (is_gltf_capture(file_->document)) capture_ = Capture::points;
+  }
 
   std::vector<std::string> beyond_attributes() const override {
-    const GltfJson& document = file_.document;
+    const GltfJson& document = file_->document;
     std::vector<std::string> found;
     for (const char* key : {"animations", "skins", "cameras"})
       if (!list_of(document, key).empty()) found.emplace_back(key);
@@ -95,7 +95,7 @@ public:
     const auto occluded = [](const GltfJson& m) { return m.contains("occlusionTexture"); };
     if (std::ranges::any_of(list_of(document, "materials"), occluded))
       found.emplace_back("occlusion textures");
-    if (file_.has_other_coordinates) found.emplace_back("textures with coordinates of their own");
+    if (file_->has_other_coordinates) found.emplace_back("textures with coordinates of their own");
     if (!text_of(member_of(document, "asset"), "copyright").empty()) found.emplace_back("copyright");
     if (has_extras(document)) found.emplace_back("extras");
     for (const GltfJson& extension : list_of(document, "extensionsUsed"))
@@ -104,57 +104,25 @@ public:
     return found;
   }
 
-  Capture capture() const override {
-    return is_gltf_capture(file_.document) ? Capture::points : Capture::none;
-  }
-
   std::vector<fs::path> files_beside() const override {
     std::vector<fs::path> files;
-    for (const GltfBuffer& buffer : file_.buffers) files.push_back(buffer.path);
-    for (const GltfImage& image : file_.images) files.push_back(image.file.path);
+    for (const GltfBuffer& buffer : file_->buffers) files.push_back(buffer.path);
+    for (const GltfImage& image : file_->images) files.push_back(image.file.path);
     return files;
   }
 
-  // If no position changed, copies the bytes. Otherwise writes a single file with embedded data.
-  std::vector<std::string> write(const Content& content, TextWriter& out) const override {
-    if (copies(content)) {
-      out.text(bytes_);
-      return std::vector<std::string>();
-    }
-    GltfRewritten result = rewritten_gltf(file_, map_, content.surface, content.positions);
-    for (std::size_t i = file_.binary ? 1 : 0; i < result.buffers.size(); ++i) embed(result, i);
-    put(result, file_.binary, out);
-    return std::move(result.notes);
-  }
-
   std::vector<std::string> write_file(const fs::path& path, const Content& content, Digits,
-                                      base::Progress* progress) const override {
+                                      base::Progress* progress, const MorphMotion* motion) const override {
     const bool binary = base::extension_of(path) == "glb";
-    if (file_.binary == binary && has_no_external_files() && copies(content)) {
+    if (!motion && file_->binary == binary && has_no_external_files() && copies(content)) {
       base::replace_file(path, bytes_);
       return {};
     }
-    return write_result(path, rewritten_gltf(file_, map_, content.surface, content.positions), progress);
-  }
-
-  std::vector<std::string> write_animated(const fs::path& path, const Content& content,
-                                          const MorphMotion& motion,
-                                          base::Progress* progress) const override {
-    const mesh::Surface& rest = content.surface;
-    check_motion(motion, rest.positions.size());
-    return write_result(path, rewritten_gltf(file_, map_, rest, content.positions, &motion, progress),
-                        progress);
-  }
-
-  std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
-
-private:
-  std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
-                                        base::Progress* progress) const {
-    const bool binary = base::extension_of(path) == "glb";
+    GltfRewritten result =
+        rewritten_gltf(*file_, *map_, content.surface, content.positions, motion, progress);
     base::FilesTogether files;
     put_images(path, result, files);
-    if (!binary && !file_.other_chunks.empty())
+    if (!binary && !file_->other_chunks.empty())
       result.notes.push_back("unknown GLB chunks are left out: .gltf files cannot contain chunks");
     put_buffers(path, binary, result, files);
     files.put(path, [&](const base::ByteSink& sink) {
@@ -166,16 +134,15 @@ private:
     return std::move(result.notes);
   }
 
+  std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(file_, map_); }
+
+private:
   bool copies(const Content& content) const { return !bytes_.empty() && content.is_at_rest(); }
 
   bool has_no_external_files() const {
-    return std::ranges::none_of(file_.buffers,
+    return std::ranges::none_of(file_->buffers,
                                 [](const GltfBuffer& b) { return b.home == GltfBuffer::Home::beside; }) &&
-           std::ranges::all_of(file_.images, [](const GltfImage& i) { return i.uri.empty(); });
-  }
-
-  static void embed(GltfRewritten& result, std::size_t buffer) {
-    result.document["buffers"][buffer]["uri"] = embedded_gltf_uri(result.buffers[buffer]);
+           std::ranges::all_of(file_->images, [](const GltfImage& i) { return i.uri.empty(); });
   }
 
   // In a GLB, the first buffer is the binary chunk and has no URI. All other buffers keep their URIs.
@@ -186,7 +153,7 @@ private:
     if (!binary) return void(out.text(result.document.dump(2)).text("\n"));
     if (!buffers.empty()) result.document["buffers"][0].erase("uri");
     write_glb_chunks(result.document.dump(), buffers.empty() ? std::string_view() : buffers.front(),
-                     file_.other_chunks, out);
+                     file_->other_chunks, out);
   }
 
   // For a GLB, embeds all buffers except the first, which is the binary chunk. For a .gltf, embeds the
@@ -195,14 +162,15 @@ private:
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;
     for (std::size_t i = binary ? 1 : 0; i < result.buffers.size(); ++i) {
-      if (binary || file_.buffers[i].home == GltfBuffer::Home::text) {
-        embed(result, i);
+      GltfJson& uri = result.document["buffers"][i]["uri"];
+      if (binary || file_->buffers[i].home == GltfBuffer::Home::text) {
+        uri = embedded_gltf_uri(result.buffers[i]);
         continue;
       }
       const fs::path name = name_beside(path, beside);
       beside.insert(name);
       files.put(name, [&](const base::ByteSink& sink) { sink(result.buffers[i]); });
-      result.document["buffers"][i]["uri"] = encoded_uri(name.filename().string());
+      uri = encoded_uri(name.filename().string());
     }
     if (beside.empty()) return;
     std::string names;
@@ -214,12 +182,12 @@ private:
   // If the new file is in another folder, copies images from the folder of the old file and below, without
   // replacing files. Other images stay in place, and their relative URIs change.
   void put_images(const fs::path& path, GltfRewritten& result, base::FilesTogether& files) const {
-    const fs::path from = base::folder_of(file_.name), to = base::folder_of(path);
+    const fs::path from = base::folder_of(file_->name), to = base::folder_of(path);
     if (from == to) return;
     std::error_code ignored;
     std::size_t copied = 0, stayed = 0;
-    for (std::size_t i = 0; i < file_.images.size(); ++i) {
-      const GltfImage& image = file_.images[i];
+    for (std::size_t i = 0; i < file_->images.size(); ++i) {
+      const GltfImage& image = file_->images[i];
       if (image.uri.empty() || image.file.path.empty()) continue;
       fs::path full = base::folder_of(image.file.path) / image.file.path.filename();
       const bool copies = base::is_file_below(from, full);
@@ -253,17 +221,15 @@ private:
   // may be overwritten too. Returns false for buffers of the file that was read.
   bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
     std::error_code failed;
-    for (const GltfBuffer& own : file_.buffers)
+    for (const GltfBuffer& own : file_->buffers)
       if (!own.path.empty() && fs::equivalent(own.path, buffer, failed)) return false;
     if (!fs::is_regular_file(path, failed) || !fs::is_regular_file(buffer, failed)) return false;
     const base::FileBytes older(path);
     return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
   }
 
-  std::shared_ptr<const GltfFile> shared_file_;
-  std::shared_ptr<const GltfMap> shared_map_;
-  const GltfFile& file_;
-  const GltfMap& map_;
+  std::shared_ptr<const GltfFile> file_;
+  std::shared_ptr<const GltfMap> map_;
 };
 
 }  // namespace

@@ -35,8 +35,7 @@ public:
   }
 
   GltfRewritten take() && {
-    if (std::string note = rounding_note(rounding_, mesh::bounds(posed_).diagonal()); !note.empty())
-      notes_.push_back(std::move(note));
+    std::ranges::move(rounding_notes(rounding_, mesh::bounds(posed_).diagonal()), std::back_inserter(notes_));
     return {std::move(document_), std::move(buffers_), std::move(notes_)};
   }
 

@@ -304,8 +304,7 @@ std::vector<fs::path> library_paths(const fs::path& folder, std::string_view nam
   const bool single = names.find_first_of(" \t") == std::string_view::npos;
   if (single || names.size() > 4096 || fs::exists(whole, code)) return {whole};
   std::vector<fs::path> paths;
-  const Source line{"", "", names};
-  TextCursor text(line, {});
+  TextCursor text(names);
   while (!text.at_line_end() && paths.size() < 64) paths.push_back(base::path_beside(folder, text.word()));
   return paths;
 }
@@ -440,7 +439,7 @@ MaterialFiles read_materials(const Source& source, const std::vector<std::string
         }
       } catch (const base::Error& error) {
         all_read = false;
-        if (!attributes.materials.empty()) builder.warn(source.name + ": material library " + error.what());
+        if (!attributes.materials.empty()) builder.warn("material library " + std::string(error.what()));
       }
     }
   std::size_t missing = 0;
@@ -464,7 +463,7 @@ MaterialFiles read_materials(const Source& source, const std::vector<std::string
     }
   }
   if (missing > 0 && all_read && !libraries.empty())
-    builder.warn(source.name + ": " + base::counted(missing, "material") +
+    builder.warn(base::counted(missing, "material") +
                  " not found in the material libraries; default colour used");
   return {{files.begin(), files.end()}, std::move(ignored)};
 }

@@ -127,8 +127,8 @@ public:
     if (!names.empty() && libraries_.size() < most_libraries) libraries_.emplace_back(names);
   }
 
-  // Reads the material libraries. If there are no attributes, returns null.
-  std::shared_ptr<const Attributes> finish(SurfaceBuilder& builder) {
+  // Reads the material libraries.
+  Attributes finish(SurfaceBuilder& builder) {
     check(found_.corner_texture, found_.texture_points.size());
     check(found_.corner_normal, found_.normals.size());
     const std::size_t corners = builder.surface().corners.size();
@@ -138,8 +138,7 @@ public:
     finish_groups();
     files_ = read_materials(source_, libraries_, found_, builder);
     tell_bad(builder);
-    if (found_.empty()) return nullptr;
-    return std::make_shared<const Attributes>(std::move(found_));
+    return std::move(found_);
   }
 
 private:
@@ -171,15 +170,14 @@ private:
   }
 
   void tell_bad(SurfaceBuilder& builder) const {
-    const std::string name = source_.name + ": ";
     if (bad_indices_ > 0)
-      builder.warn(name + "ignored " + base::counted(bad_indices_, "reference") +
+      builder.warn("ignored " + base::counted(bad_indices_, "reference") +
                    " to missing texture coordinates or normals");
     if (bad_numbers_ > 0)
-      builder.warn(name + "used 0 for " + base::counted(bad_numbers_, "unreadable line") +
+      builder.warn("used 0 for " + base::counted(bad_numbers_, "unreadable line") +
                    " of texture coordinates or normals");
     if (groups_left_out_ > 0)
-      builder.warn(name + "more than " + base::counted(most_groups, "group") + ", further groups are merged");
+      builder.warn("more than " + base::counted(most_groups, "group") + ", further groups are merged");
   }
 
   const Source& source_;
@@ -210,11 +208,11 @@ public:
     refuse_other_content();
     tell_skipped();
     end_normals();
-    auto attributes = attributes_.finish(builder_);
-    ReadResult result = builder_.finish("OBJ");
+    Attributes attributes = attributes_.finish(builder_);
+    ReadResult result = builder_.finish("OBJ", std::move(attributes));
     if (source_.owner)
-      result.original = obj_original(source_, attributes, std::move(normal_blocks_), attributes_.files());
-    result.attributes = std::move(attributes);
+      result.original =
+          obj_original(source_, result.attributes, std::move(normal_blocks_), attributes_.files());
     return result;
   }
 
@@ -264,8 +262,7 @@ private:
 
   std::uint32_t vertex(std::int64_t index) {
     const auto count = static_cast<std::int64_t>(builder_.vertex_count());
-    if (index == 0)
-      text_.fail("face refers to vertex 0, but OBJ indices start at 1", "export the model again");
+    if (index == 0) text_.fail("face refers to vertex 0, but OBJ indices start at 1");
     if (index < -count) refuse(text_.line(), index);
     if (index < 0) return static_cast<std::uint32_t>(count + index);
     if (index > std::numeric_limits<std::uint32_t>::max()) refuse(text_.line(), index);
@@ -306,12 +303,11 @@ private:
   }
 
   void tell_skipped() {
-    if (free_forms_ > 0)
-      builder_.warn(source_.name + ": " + base::counted(free_forms_, "free-form element") +
-                    " cannot be shown");
+    if (free_forms_ > 0) builder_.warn(base::counted(free_forms_, "free-form element") + " cannot be shown");
     if (unknown_ > 0)
-      builder_.warn(text_.place(first_unknown_line_) + ": ignored " + base::counted(unknown_, "line") +
-                    " with unknown keywords, the first is " + first_unknown_);
+      builder_.warn_at(text_.place(first_unknown_line_), "ignored " + base::counted(unknown_, "line") +
+                                                             " with unknown keywords, the first is " +
+                                                             first_unknown_);
   }
 
   const Source& source_;

@@ -227,8 +227,9 @@ public:
       : Original("OBJ", source),
         attributes_(std::move(attributes)),
         normal_blocks_(std::move(normal_blocks)),
-        companions_{source.folder, std::move(files.files)},
-        ignored_(std::move(files.ignored)) {}
+        ignored_(std::move(files.ignored)) {
+    companions_ = {source.folder, std::move(files.files)};
+  }
 
   std::vector<std::string> beyond_attributes() const override {
     const Source source = this->source();
@@ -251,8 +252,6 @@ public:
     return found;
   }
 
-  Companions companions() const override { return companions_; }
-
   std::vector<std::string> write(const Content& content, TextWriter& out) const override {
     const Source source = this->source();
     ObjRewriter rewriter(source, content.surface, content.positions, out);
@@ -265,7 +264,6 @@ public:
 private:
   std::shared_ptr<const Attributes> attributes_;
   std::vector<std::uint32_t> normal_blocks_;
-  Companions companions_;
   std::set<std::string> ignored_;  // statements of maps that are not read
 };
 

@@ -67,8 +67,8 @@ public:
       row("the last face", i);
       face();
     }
-    auto attributes = finished_attributes();
-    ReadResult result = builder_.finish("OFF");
+    finish_attributes();
+    ReadResult result = builder_.finish("OFF", std::move(found_));
     VectorFile file{.format = "OFF", .vectors = {{.element = "vertex"}}};
     file.vectors[0].set_places(std::move(positions_));
     if (form_.normals) {
@@ -77,7 +77,6 @@ public:
     }
     if (has_comments(source_.bytes)) file.beyond_attributes.emplace_back("comments");
     result.original = original_of(source_, std::move(file));
-    result.attributes = std::move(attributes);
     return result;
   }
 
@@ -100,8 +99,7 @@ private:
 
   std::size_t count(std::string_view what) {
     const std::int64_t value = text_.integer(what);
-    if (value < 0)
-      text_.fail(std::string(what) + " " + std::to_string(value) + " is negative", "export the model again");
+    if (value < 0) text_.fail(std::string(what) + " " + std::to_string(value) + " is negative");
     return static_cast<std::size_t>(value);
   }
 
@@ -184,10 +182,10 @@ private:
     if (is_color) colors_.push_back(color(builder_.vertex_count() - 1, 0, count));
   }
 
-  std::shared_ptr<const Attributes> finished_attributes() {
+  void finish_attributes() {
     const Color missing = Material{}.base_color;
     if (unknown_rows_ > 0) {
-      builder_.warn(source_.name + ": ignored undeclared values after the positions of " +
+      builder_.warn("ignored undeclared values after the positions of " +
                     base::counted(unknown_rows_, "vertex row"));
     } else {
       found_.colors = colors_of_elements(colors_, builder_.vertex_count(), missing);
@@ -195,8 +193,6 @@ private:
     found_.polygon_colors = colors_of_elements(face_colors_, builder_.surface().polygon_count(), missing);
     if (form_.normals) found_.corner_normal = builder_.surface().corners;
     if (form_.texture) found_.corner_texture = builder_.surface().corners;
-    if (found_.empty()) return nullptr;
-    return std::make_shared<const Attributes>(std::move(found_));
   }
 
   void face() {
@@ -206,8 +202,7 @@ private:
       const std::int64_t index = text_.integer("vertex index");
       if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count())
         text_.fail("face refers to vertex " + std::to_string(index) + ", the file has " +
-                       std::to_string(builder_.vertex_count()) + ", counted from 0",
-                   "export the model again");
+                   std::to_string(builder_.vertex_count()) + ", counted from 0");
       builder_.corner(static_cast<std::uint32_t>(index));
     }
     builder_.end_polygon();

@@ -91,29 +91,24 @@ public:
   /// Names the content that only this file format stores: "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
-  virtual Capture capture() const { return Capture::none; }
-
-  /// The external files that write_file() copies.
-  virtual Companions companions() const { return {}; }
+  Capture capture() const { return capture_; }
 
   /// All external files to which the file refers. Some files can be missing.
-  virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
+  virtual std::vector<std::filesystem::path> files_beside() const { return companions_.files; }
 
   /// Writes the whole file with new values for positions that differ from content.surface, and for the
   /// normals and tangents that depend on these positions; for a capture, also for splats that differ from the
   /// file. content.surface is the surface read from the file; attributes and comments are ignored. Returns
-  /// messages for the user, one line each. Can throw base::Error and base::Cancelled.
-  virtual std::vector<std::string> write(const Content& content, TextWriter& out) const = 0;
+  /// messages for the user, one line each. Can throw base::Error and base::Cancelled. The default throws
+  /// base::Error: for formats that override write_file() or cannot be written.
+  virtual std::vector<std::string> write(const Content& content, TextWriter& out) const;
 
   /// Works like write(), and replaces an existing file atomically. Also writes external buffers, and copies
-  /// companions that are missing in the new folder. `progress` may be null.
+  /// companions that are missing in the new folder. `progress` may be null. If `motion` is not null, adds
+  /// morph targets: then the format must hold them, and `motion` must pass check_motion().
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Content& content,
-                                              Digits digits, base::Progress* progress) const;
-
-  /// Works like write_file(), and adds morph targets. `motion` must pass check_motion(). If the format has no
-  /// morph targets, throws base::Error.
-  virtual std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
-                                                  const MorphMotion& motion, base::Progress* progress) const;
+                                              Digits digits, base::Progress* progress,
+                                              const MorphMotion* motion = nullptr) const;
 
   /// Returns the morph animation, or null if there are no targets. For invalid data, throws base::Error.
   virtual std::shared_ptr<const MorphClip> morphs() const { return nullptr; }
@@ -123,6 +118,8 @@ protected:
 
   std::string name_;
   std::string_view bytes_;  // the file's bytes; empty if there is no owner
+  Companions companions_;   // the external files that write_file() copies
+  Capture capture_ = Capture::none;
 
 private:
   std::shared_ptr<const void> owner_;

@@ -16,7 +16,6 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "formats/file_vectors.h"
-#include "formats/ply_capture.h"
 #include "formats/ply_file.h"
 #include "mesh/point_index.h"
 
@@ -61,8 +60,8 @@ public:
     }
     if (splats_) builder_.splats(splats_);
     if (values_.longer_rows() > 0)
-      builder_.warn(values_.place_of_longer() + ": ignored extra values after the header's properties in " +
-                    base::counted(values_.longer_rows(), "row"));
+      builder_.warn_at(values_.place_of_longer(), "ignored extra values after the header's properties in " +
+                                                      base::counted(values_.longer_rows(), "row"));
     finish();
     return std::move(found_);
   }
@@ -210,7 +209,7 @@ private:
     values_.start_row(element.name, 0);
     first_row_ = values_.place();
     const PlySplats found(element);
-    for (const std::string& note : found.notes) builder_.warn(source_.name + ": " + note);
+    for (const std::string& note : found.notes) builder_.warn(note);
     splats_ = std::make_shared<mesh::Splats>(found.allocate(source_.name, element.count));
     if (header_.format != PlyHeader::Format::ascii)
       return read_splats(found, element, values_.bytes(), header_.order(), *splats_);
@@ -401,8 +400,7 @@ private:
   std::uint32_t checked(std::int64_t index) {
     if (index < 0 || static_cast<std::size_t>(index) >= vertex_count_)
       values_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
-                       std::to_string(vertex_count_),
-                   "export the model again");
+                   std::to_string(vertex_count_));
     return static_cast<std::uint32_t>(index);
   }
 
@@ -474,27 +472,19 @@ ReadResult read_ply(const Source& source) {
                       "export it as PLY without compression, or as SPZ version 3");
   PlyBody body(header, source, builder, {source, header, text});
   Attributes found = body.read();
-  if (header.capture() == Capture::points) builder.warn(source.name + capture_note);
+  if (header.capture() == Capture::points) builder.warn(capture_note);
   constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
-  ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
-  const bool is_text = header.format == PlyHeader::Format::ascii;
-  if (result.splats) {
-    const PlyElement& vertices = *header.find("vertex");
-    result.original = original_of_capture(source, {{is_text, header.order()},
-                                                   vertices,
-                                                   PlySplats(vertices),
-                                                   body.first_row(),
-                                                   result.splats,
-                                                   header.beyond_attributes()});
-    if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
-    return result;
-  }
-  VectorFile file{
-      "PLY", is_text, header.order(), body.take_vectors(), header.beyond_attributes(), {source.folder, {}}};
+  VectorFile file{.format = "PLY",
+                  .text = header.format == PlyHeader::Format::ascii,
+                  .order = header.order(),
+                  .vectors = body.take_vectors(),
+                  .beyond_attributes = header.beyond_attributes(),
+                  .companions = {source.folder, {}},
+                  .capture = header.capture()};
   for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
-  file.capture = header.capture();
-  result.original = original_of(source, std::move(file));
-  if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
+  ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)], std::move(found));
+  result.original = result.splats ? original_of_capture(source, header, body.first_row(), result.splats)
+                                  : original_of(source, std::move(file));
   return result;
 }
 

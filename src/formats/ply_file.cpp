@@ -6,6 +6,9 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "base/worker_pool.h"
 
 namespace viete::formats {
 
@@ -26,7 +29,7 @@ base::NumberType type_named(TextCursor& text) {
       {"double", base::NumberType::float64}, {"float64", base::NumberType::float64}};
   const std::string_view word = text.word();
   const auto found = types.find(word);
-  if (found == types.end()) text.fail(in_quotes(word) + " is not a PLY type", "export the model again");
+  if (found == types.end()) text.fail(in_quotes(word) + " is not a PLY type");
   return found->second;
 }
 
@@ -42,8 +45,7 @@ PlyElement element(TextCursor& text) {
   PlyElement element;
   element.name = text.word();
   const std::int64_t count = text.integer("element count");
-  if (count < 0)
-    text.fail("element count " + std::to_string(count) + " is negative", "export the model again");
+  if (count < 0) text.fail("element count " + std::to_string(count) + " is negative");
   element.count = static_cast<std::size_t>(count);
   return element;
 }
@@ -102,17 +104,20 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
   } else if (word == "element") {
     header.elements.push_back(element(text));
   } else if (word == "property") {
-    if (header.elements.empty())
-      text.fail("a property stands before the first element", "export the model again");
+    if (header.elements.empty()) text.fail("a property stands before the first element");
     header.elements.back().properties.push_back(property(text));
   } else {
     constexpr std::size_t most = 64;  // rejects a file that only begins like PLY
-    if (++header.unknown_lines > most)
-      text.fail("a PLY header cannot hold " + in_quotes(word), "export the model again");
+    if (++header.unknown_lines > most) text.fail("a PLY header cannot hold " + in_quotes(word));
     if (header.unknown_lines == 1)
-      builder.warn(text.place() + ": ignored a header line that starts with " + in_quotes(word));
+      builder.warn_at(text.place(), "ignored a header line that starts with " + in_quotes(word));
   }
   return true;
+}
+
+// Returns the largest degree, at most 3, whose harmonics are all among this number of harmonics.
+int whole_degree(std::size_t harmonics) {
+  return harmonics >= 15 ? 3 : harmonics >= 8 ? 2 : harmonics >= 3 ? 1 : 0;
 }
 
 }  // namespace
@@ -227,6 +232,65 @@ std::string_view PlyValues::next(base::NumberType type) {
 void PlyValues::fail(const std::string& problem, const std::string& advice) const {
   if (is_text_) text_.fail(problem, advice);
   throw base::Error(source_.place(element_, index_), problem, advice);
+}
+
+std::vector<std::string> splat_names(std::size_t bands, std::size_t in_file) {
+  std::vector<std::string> names;
+  const auto add = [&](const char* name, std::size_t first, std::size_t count) {
+    for (std::size_t k = first; k < first + count; ++k) names.push_back(name + std::to_string(k));
+  };
+  add("f_dc_", 0, 3);
+  for (std::size_t color = 0; color < 3; ++color) add("f_rest_", color * in_file, bands);
+  names.emplace_back("opacity");
+  add("scale_", 0, 3);
+  add("rot_", 0, 4);
+  return names;
+}
+
+PlySplats::PlySplats(const PlyElement& vertices) {
+  const auto has = [&](const std::string& name) { return vertices.find(name) < vertices.properties.size(); };
+  std::size_t harmonics = 0;
+  while (has("f_rest_" + std::to_string(harmonics))) ++harmonics;
+  const std::size_t in_file = harmonics % 3 == 0 ? harmonics / 3 : 0;
+  degree = whole_degree(in_file);
+  const auto bands = static_cast<std::size_t>(degree * (degree + 2));
+  for (const std::string& name : splat_names(bands, in_file)) properties.push_back(vertices.find(name));
+  if (3 * bands != harmonics)
+    notes.push_back("the capture has " + std::to_string(harmonics) +
+                    " properties f_rest_* instead of 0, 9, 24 or 45: harmonics above degree " +
+                    std::to_string(degree) + " are kept, but neither drawn nor turned");
+  if (!has("f_dc_0") || !has("f_dc_1") || !has("f_dc_2"))
+    notes.emplace_back("the capture has no colours (f_dc_0 to f_dc_2): its splats are grey");
+}
+
+mesh::Splats PlySplats::allocate(const std::string& file, std::size_t count) const {
+  mesh::Splats splats;
+  splats.degree = degree;
+  base::require_memory({static_cast<double>(sizeof(float) * properties.size() * count),
+                        base::counted(count, "splat") + " take",
+                        "use a computer with more memory, or remove splats in another program", file});
+  splats.resize(count);
+  return splats;
+}
+
+void read_splats(const PlySplats& found, const PlyElement& vertices, std::string_view rows, std::endian order,
+                 mesh::Splats& splats) {
+  const auto columns = splat_columns(splats);
+  const std::size_t row_bytes = vertices.row_bytes();
+  base::for_blocks(
+      splats.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+          if (found.properties[c] == vertices.properties.size()) continue;
+          const char* const first = rows.data() + vertices.bytes_before(found.properties[c]);
+          with_type(vertices.properties[found.properties[c]].type, [&](auto number) {
+            for (std::size_t v = begin; v < end; ++v)
+              columns[c][v] =
+                  static_cast<float>(base::number_of_bytes<decltype(number)>(first + v * row_bytes, order));
+          });
+        }
+      },
+      1 << 12);
 }
 
 }  // namespace viete::formats

@@ -1,18 +1,23 @@
-// A parsed PLY file: the header, and a reader of the values in text or binary.
+// A parsed PLY file: the header, a reader of the values in text or binary, and the numbers of Gaussian
+// splats.
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/byte_order.h"
+#include "formats/original.h"
 #include "formats/source.h"
 #include "formats/surface_builder.h"
 #include "formats/text_cursor.h"
+#include "mesh/splats.h"
 
 namespace viete::formats {
 
@@ -100,7 +105,8 @@ public:
     if (is_text_) return text_.done();
     return 1 - static_cast<double>(at_.size()) / static_cast<double>(source_.bytes.size());
   }
-  [[noreturn]] void fail(const std::string& problem, const std::string& advice) const;
+  [[noreturn]] void fail(const std::string& problem,
+                         const std::string& advice = "export the model again") const;
 
 private:
   TextCursor& next_word() {
@@ -118,5 +124,59 @@ private:
   std::size_t index_ = 0;
   std::size_t longer_rows_ = 0, first_longer_ = 0;
 };
+
+/// One number of each splat.
+template <class Float>
+struct SplatColumn {
+  Float* first = nullptr;
+  std::size_t stride = 0;
+
+  Float& operator[](std::size_t splat) const { return first[splat * stride]; }
+};
+
+/// Returns the columns f_dc_0 to 2, f_rest_*, opacity, scale_0 to 2, rot_0 to 3. Without splats, returns
+/// none.
+template <class Splats>
+auto splat_columns(Splats& splats) {
+  using Float = std::conditional_t<std::is_const_v<Splats>, const float, float>;
+  std::vector<SplatColumn<Float>> columns;
+  if (splats.size() == 0) return columns;
+  const auto add = [&](Float* first, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) columns.push_back({first + k, count});
+  };
+  add(splats.colors[0].data(), 3);
+  if (splats.degree > 0) add(splats.harmonics.data(), 3 * splats.bands());
+  add(splats.opacities.data(), 1);
+  add(splats.log_scales[0].data(), 3);
+  add(splats.rotations[0].data(), 4);
+  return columns;
+}
+
+/// Returns the names of splat_columns() in a file with `in_file` harmonics for each colour, at least `bands`.
+std::vector<std::string> splat_names(std::size_t bands, std::size_t in_file);
+
+/// The properties that store splats.
+struct PlySplats {
+  int degree = 0;
+  /// For each column its property, or the number of properties if missing.
+  std::vector<std::size_t> properties;
+  std::vector<std::string> notes;  ///< about missing colours and incomplete harmonics
+
+  /// The header must satisfy capture() == Capture::splats.
+  explicit PlySplats(const PlyElement& vertices);
+
+  /// Allocates splats with all numbers 0. Throws base::Error if memory is short.
+  mesh::Splats allocate(const std::string& file, std::size_t count) const;
+};
+
+/// Reads the numbers of binary rows on all processors. `rows` must be complete.
+void read_splats(const PlySplats& found, const PlyElement& vertices, std::string_view rows, std::endian order,
+                 mesh::Splats& splats);
+
+/// Returns an original of a capture. Rewriting changes x y z and the numbers that differ from `splats`.
+/// `first_row` is the offset of the first vertex. Returns null if source.owner is null.
+std::shared_ptr<const Original> original_of_capture(const Source& source, PlyHeader header,
+                                                    std::size_t first_row,
+                                                    std::shared_ptr<const mesh::Splats> splats);
 
 }  // namespace viete::formats

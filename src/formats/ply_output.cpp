@@ -1,11 +1,19 @@
+// Writes PLY: a surface or capture as a new file, or the capture that was read, with other splats.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "formats/codecs.h"
-#include "formats/ply_capture.h"
+#include "formats/file_vectors.h"
+#include "formats/ply_file.h"
 
 namespace viete::formats {
 
@@ -123,6 +131,215 @@ void write_capture(const Content& content, TextWriter& out) {
   }
 }
 
+// A capture to write again.
+struct CaptureFile {
+  PlyHeader header;
+  std::size_t first_row;  // the offset of the first vertex in the file
+  std::shared_ptr<const mesh::Splats> splats;
+};
+
+// The rows of the vertices in the file.
+class Rows {
+public:
+  Rows(const PlyElement& vertices, bool is_text, std::size_t first_row, std::string_view bytes)
+      : bytes_(bytes),
+        first_(first_row),
+        row_bytes_(vertices.row_bytes()),
+        end_(first_row + vertices.count * row_bytes_) {
+    if (!is_text) return;
+    TextCursor text(bytes.substr(first_));
+    for (std::size_t row = 0; row < vertices.count; ++row) {
+      text.next_filled_line();
+      starts_.push_back(first_ + text.offset());
+      for (std::size_t p = 0; p < vertices.properties.size(); ++p) {
+        text.next_filled_line();
+        text.word();
+      }
+      text.next_line();
+    }
+    end_ = first_ + text.offset();
+    starts_.push_back(end_);
+  }
+
+  std::string_view operator[](std::size_t row) const {
+    if (starts_.empty()) return bytes_.substr(first_ + row * row_bytes_, row_bytes_);
+    return bytes_.substr(starts_[row], starts_[row + 1] - starts_[row]);
+  }
+  std::size_t end() const { return end_; }
+
+private:
+  std::string_view bytes_;
+  std::size_t first_, row_bytes_, end_;
+  std::vector<std::size_t> starts_;  // of text
+};
+
+// A number of the posed capture.
+struct Change {
+  std::size_t property;
+  double value;
+  bool is_position;
+};
+
+// Writes rows of vertices with changed numbers.
+class RowWriter {
+public:
+  RowWriter(const CaptureFile& file, const Source& source, const Content& content, TextWriter& out)
+      : file_(file),
+        source_(source),
+        vertices_(*file.header.find("vertex")),
+        is_text_(file.header.format == PlyHeader::Format::ascii),
+        rows_(vertices_, is_text_, file.first_row, source.bytes),
+        content_(content),
+        out_(out),
+        printed_(out.digits()),
+        columns_(PlySplats(vertices_).properties) {
+    for (const char* axis : {"x", "y", "z"}) axes_.push_back(vertices_.find(axis));
+    for (std::size_t p = 0; p < vertices_.properties.size(); ++p)
+      offsets_.push_back(vertices_.bytes_before(p));
+    if (content.splats) now_ = splat_columns(*content.splats);
+    before_ = splat_columns(*file.splats);
+    printed_.keep(6, mesh::bounds(content.surface.positions).diagonal());
+    if (is_text_) learn();
+  }
+
+  void write_all() {
+    const std::size_t count = content_.positions.size();
+    for (std::size_t v = 0; v < count; ++v) {
+      const std::size_t source = content_.sources.empty() ? v : content_.sources[v];
+      find_changes(v, source);
+      const std::string_view row = rows_[source];
+      write(row, source);
+      // The line end of the last row may be missing.
+      const bool ended = source + 1 < vertices_.count || row.ends_with('\n') || row.ends_with('\r');
+      if (is_text_ && !ended && v + 1 < count) out_.text("\n");
+      out_.element_done(v + 1, count);
+    }
+  }
+
+  std::size_t end() const { return rows_.end(); }
+  double rounding() const { return rounding_; }
+
+private:
+  base::NumberType type(std::size_t property) const { return vertices_.properties[property].type; }
+
+  void learn() {
+    constexpr std::size_t enough = 10'000;
+    for (std::size_t row = 0; row < std::min(enough, vertices_.count); ++row) {
+      TextCursor text(rows_[row]);
+      for (std::size_t p = 0; p < offsets_.size(); ++p) {
+        text.next_filled_line();
+        const std::string_view word = text.word();
+        if (std::ranges::find(axes_, p) != axes_.end()) printed_.learn(word);
+      }
+    }
+  }
+
+  // Numbers that are not finite keep the number in the file, so that a single invalid splat does not prevent
+  // writing the others.
+  void find_changes(std::size_t v, std::size_t source) {
+    changes_.clear();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double now = content_.positions[v][k];
+      if (now != content_.surface.positions[source][k]) changes_.push_back({axes_[k], now, true});
+    }
+    for (std::size_t c = 0; c < now_.size(); ++c) {
+      const float now = now_[c][v];
+      const std::size_t property = columns_[c];
+      if (now != before_[c][source] && std::isfinite(now) && property < offsets_.size())
+        changes_.push_back({property, now, false});
+    }
+    std::ranges::sort(changes_, {}, &Change::property);
+  }
+
+  std::string_view written(const Change& change, std::size_t source) {
+    const base::NumberType type = this->type(change.property);
+    const bool all_digits = !change.is_position && out_.digits().kind != Digits::Kind::decimals;
+    if (is_text_ && all_digits && (type == base::NumberType::float32 || type == base::NumberType::float64)) {
+      char* const end = std::to_chars(room_.data(), room_.data() + room_.size(), float(change.value)).ptr;
+      return {room_.data(), static_cast<std::size_t>(end - room_.data())};
+    }
+    const auto words = number_in_file(change.value, type, {is_text_, file_.header.order()}, printed_, room_);
+    if (!words)
+      throw base::Error(source_.place(vertices_.name, source),
+                        "the new value of " + vertices_.properties[change.property].name +
+                            " exceeds the range of its number type in this file",
+                        "save in another format, or scale the model");
+    if (change.is_position && type == base::NumberType::float32)
+      rounding_ = std::max(rounding_, std::abs(static_cast<float>(change.value) - change.value));
+    return *words;
+  }
+
+  void write(std::string_view row, std::size_t source) {
+    TextCursor text(row);
+    std::size_t next = 0, copied = 0;  // the next property of a text, and the copied bytes of the row
+    for (const Change& change : changes_) {
+      std::string_view before;
+      if (!is_text_) before = row.substr(offsets_[change.property], size_of(type(change.property)));
+      for (; is_text_ && next <= change.property; ++next) {
+        text.next_filled_line();
+        before = text.word();
+      }
+      const auto at = static_cast<std::size_t>(before.data() - row.data());
+      out_.text(row.substr(copied, at - copied)).text(written(change, source));
+      copied = at + before.size();
+    }
+    out_.text(row.substr(copied));
+  }
+
+  const CaptureFile& file_;
+  const Source& source_;
+  const PlyElement& vertices_;
+  bool is_text_;
+  Rows rows_;
+  const Content& content_;
+  TextWriter& out_;
+  Printed printed_;                   // of positions
+  std::vector<std::size_t> columns_;  // the property of each column
+  std::vector<std::size_t> axes_;     // properties x, y, z
+  std::vector<std::size_t> offsets_;  // of each property in a binary row
+  std::vector<SplatColumn<const float>> before_, now_;
+  std::vector<Change> changes_;  // of the current row, in the order of properties
+  std::array<char, 400> room_;
+  double rounding_ = 0;
+};
+
+class PlyCaptureOriginal final : public Original {
+public:
+  PlyCaptureOriginal(const Source& source, CaptureFile file)
+      : Original("PLY", source), file_(std::move(file)) {
+    capture_ = Capture::splats;
+  }
+
+  std::vector<std::string> beyond_attributes() const override { return file_.header.beyond_attributes(); }
+
+  std::vector<std::string> write(const Content& content, TextWriter& out) const override {
+    Rewriter rewriter(bytes_, out);
+    if (content.is_at_rest() && !content.splats) {
+      rewriter.finish();
+      return {};
+    }
+    const Source source = this->source();
+    RowWriter rows(file_, source, content, out);
+    if (!content.sources.empty())
+      rewriter.replace(count_in_header(), std::to_string(content.positions.size()));
+    rewriter.copy_until(file_.first_row);
+    rows.write_all();
+    rewriter.skip_until(rows.end());
+    rewriter.finish();
+    return rounding_notes(rows.rounding(), mesh::bounds(content.positions).diagonal());
+  }
+
+private:
+  // Returns the word of the number of vertices.
+  std::string_view count_in_header() const {
+    for (TextCursor text(bytes_); text.next_filled_line(); text.next_line())
+      if (text.word() == "element" && text.word() == "vertex") return text.word();
+    return {};
+  }
+
+  CaptureFile file_;
+};
+
 }  // namespace
 
 void write_ply(const Content& content, TextWriter& out) {
@@ -140,6 +357,14 @@ void write_ply(const Content& content, TextWriter& out) {
     output.face(p);
     out.element_done(++done, all);
   }
+}
+
+std::shared_ptr<const Original> original_of_capture(const Source& source, PlyHeader header,
+                                                    std::size_t first_row,
+                                                    std::shared_ptr<const mesh::Splats> splats) {
+  if (!source.owner) return nullptr;
+  return std::make_shared<const PlyCaptureOriginal>(
+      source, CaptureFile{std::move(header), first_row, std::move(splats)});
 }
 
 }  // namespace viete::formats

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <limits>
-#include <memory>
-#include <mutex>
+#include <sstream>
 #include <utility>
 
 #include "base/error.h"
@@ -106,35 +104,31 @@ void write_point_cache(const fs::path& path, const PointCacheHead& wished,
 }
 
 PointCache::PointCache(const fs::path& path) : name_(path.string()) {
-  struct Open {
-    std::ifstream file;
-    std::mutex mutex;
-  };
   const std::size_t size = base::regular_file_size(path);
-  const std::shared_ptr<Open> open(new Open{std::ifstream(path, std::ios::binary), {}});
-  read_ = [open, name = name_](std::uint64_t offset, std::span<char> to) {
-    const std::lock_guard lock(open->mutex);
-    open->file.clear();
-    open->file.seekg(static_cast<std::streamoff>(offset));
-    if (!open->file.read(to.data(), static_cast<std::streamsize>(to.size())))
-      throw base::Error(name, "the file cannot be read completely", "check the disk and the permissions");
-  };
+  file_ = std::make_unique<std::ifstream>(path, std::ios::binary);
   read_head(size);
 }
 
-PointCache::PointCache(std::string name, std::string_view bytes) : name_(std::move(name)) {
-  read_ = [bytes](std::uint64_t offset, std::span<char> to) {
-    std::memcpy(to.data(), bytes.data() + offset, to.size());
-  };
-  read_head(bytes.size());
+PointCache::PointCache(std::string name, std::string bytes) : name_(std::move(name)) {
+  const std::size_t size = bytes.size();
+  file_ = std::make_unique<std::istringstream>(std::move(bytes));
+  read_head(size);
+}
+
+void PointCache::read(std::uint64_t offset, std::span<char> to) const {
+  const std::lock_guard lock(mutex_);
+  file_->clear();
+  file_->seekg(static_cast<std::streamoff>(offset));
+  if (!file_->read(to.data(), static_cast<std::streamsize>(to.size())))
+    throw base::Error(name_, "the file cannot be read completely", "check the disk and the permissions");
 }
 
 void PointCache::read_head(std::uint64_t size) {
   std::string begins(std::min<std::uint64_t>(size, pc2_magic.size()), '\0');
-  read_(0, begins);
+  read(0, begins);
   if (begins == pc2_magic) return read_pc2_head(size);
   begins.resize(std::min<std::uint64_t>(size, 512));
-  read_(0, begins);
+  read(0, begins);
   if (size > 0) refuse_foreign(name_, begins);
   read_mdd_head(size);
 }
@@ -144,7 +138,7 @@ void PointCache::read_pc2_head(std::uint64_t size) {
   if (size < pc2_head_size)
     throw base::Error(name_, "the file ends within the PC2 header", "export the point cache again");
   std::vector<char> head(pc2_head_size);
-  read_(0, head);
+  read(0, head);
   const auto points = base::number_of_bytes<std::int32_t>(&head[16]),
              samples = base::number_of_bytes<std::int32_t>(&head[28]);
   if (points <= 0 || samples <= 0)
@@ -170,7 +164,7 @@ void PointCache::read_pc2_head(std::uint64_t size) {
 void PointCache::read_mdd_head(std::uint64_t size) {
   constexpr auto format = PointCacheFormat::mdd;
   std::vector<char> head(mdd_head_size, 0);
-  if (size >= mdd_head_size) read_(0, head);
+  if (size >= mdd_head_size) read(0, head);
   const auto frames = base::number_of_bytes<std::int32_t>(&head[0], std::endian::big),
              points = base::number_of_bytes<std::int32_t>(&head[4], std::endian::big);
   if (frames <= 0 || points <= 0)
@@ -184,7 +178,7 @@ void PointCache::read_mdd_head(std::uint64_t size) {
                           std::to_string(size) + " bytes",
                       "check that it is the right file, or export it again");
   std::vector<char> times(4 * head_.frames);
-  read_(mdd_head_size, times);
+  read(mdd_head_size, times);
   head_.seconds.resize(head_.frames);
   for (std::size_t i = 0; i < head_.frames; ++i) {
     head_.seconds[i] = base::number_of_bytes<float>(&times[4 * i], std::endian::big);
@@ -197,7 +191,7 @@ void PointCache::read_mdd_head(std::uint64_t size) {
 
 std::vector<mesh::Point> PointCache::frame(std::size_t number) const {
   std::vector<char> bytes(12 * head_.points);
-  read_(first_frame_ + std::uint64_t{number} * bytes.size(), bytes);
+  read(first_frame_ + std::uint64_t{number} * bytes.size(), bytes);
   std::vector<mesh::Point> points(head_.points);
   for (std::size_t v = 0; v < points.size(); ++v) {
     for (std::size_t k = 0; k < 3; ++k)

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <istream>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/atomic_file.h"
@@ -55,8 +57,8 @@ public:
   /// Detects PC2 by the signature and MDD by the size. Throws base::Error for other or truncated files, files
   /// without points or frames, and non-finite times. Checks sizes before it allocates memory.
   explicit PointCache(const std::filesystem::path& path);
-  /// Reads from memory. The bytes must outlive the object.
-  PointCache(std::string name, std::string_view bytes);
+  /// Reads from memory.
+  PointCache(std::string name, std::string bytes);
 
   const PointCacheHead& head() const { return head_; }
   /// Warnings about problems that were ignored, one line each.
@@ -66,14 +68,15 @@ public:
   std::vector<mesh::Point> frame(std::size_t number) const;
 
 private:
-  using Read = std::function<void(std::uint64_t offset, std::span<char> to)>;
-
   void read_head(std::uint64_t size);
   void read_pc2_head(std::uint64_t size);
   void read_mdd_head(std::uint64_t size);
+  /// The bytes must be within the file.
+  void read(std::uint64_t offset, std::span<char> to) const;
 
   std::string name_;
-  Read read_;  ///< the requested bytes must be within the file
+  std::unique_ptr<std::istream> file_;
+  mutable std::mutex mutex_;  ///< protects file_
   PointCacheHead head_;
   std::uint64_t first_frame_ = 0;
   std::vector<std::string> warnings_;

@@ -373,9 +373,9 @@ public:
         layout_(layout),
         content_(std::move(content)),
         extensions_(std::move(extensions)),
-        splats_(std::move(splats)) {}
-
-  Capture capture() const override { return Capture::splats; }
+        splats_(std::move(splats)) {
+    capture_ = Capture::splats;
+  }
 
   std::vector<std::string> beyond_attributes() const override {
     return extensions_.empty() ? std::vector<std::string>{} : std::vector<std::string>{"extensions"};
@@ -434,8 +434,7 @@ ReadResult read_spz(const Source& source) {
              std::ldexp(fixed_at(content.data() + spz_header_bytes + 9 * v + 3 * i), -layout.fractional_bits);
     builder.position(p);
   }
-  if (layout.file_degree > 3)
-    builder.warn(source.name + ": harmonics above degree 3 are kept, but neither drawn nor turned");
+  if (layout.file_degree > 3) builder.warn("harmonics above degree 3 are kept, but neither drawn nor turned");
   builder.splats(std::make_shared<const mesh::Splats>(unpacked_spz(layout, content.data())));
   ReadResult result = builder.finish("SPZ version " + std::to_string(layout.version));
   if (source.owner)

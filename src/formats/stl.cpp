@@ -150,11 +150,11 @@ ReadResult read_binary(const Source& source) {
     has_attributes |= base::number_of_bytes<std::uint16_t>(at + 36) != 0;
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
-  if (!layout->starts.empty()) builder.warn(source.name + ": ignored the attributes of triangles");
+  if (!layout->starts.empty()) builder.warn("ignored the attributes of triangles");
   const std::size_t behind = source.bytes.size() - layout->end;
   if (behind > 0)
-    builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
-                 std::to_string(triangles) + " triangles that the header declares");
+    builder.warn("ignored " + std::to_string(behind) + " bytes after the " + std::to_string(triangles) +
+                 " triangles that the header declares");
   ReadResult result = builder.finish("STL binary");
   VectorFile file = vectors_of_facets(false);
   const std::string_view blanks(" \t\r\n\0", 5);
@@ -186,7 +186,7 @@ public:
     }
     if (in_facet_)
       text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
-    if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be truncated");
+    if (!ended_) builder_.warn("the last line is not endsolid, the file may be truncated");
     ReadResult result = builder_.finish("STL ascii");
     VectorFile file = vectors_of_facets(true);
     file.vectors[0].set_places(std::move(corner_places_));
@@ -201,12 +201,12 @@ private:
     if (word == "vertex") {
       TextCursor ahead = text_;
       const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
-      if (!in_facet_) text_.fail("a vertex is outside of a facet", "export the model again");
+      if (!in_facet_) text_.fail("a vertex is outside of a facet");
       corners_.add({x, y, z});
       if (source_.owner) corner_places_.push_back(places_of_three(ahead));
       ++facet_corners_;
     } else if (word == "facet") {
-      if (in_facet_) text_.fail("a facet begins within another facet", "export the model again");
+      if (in_facet_) text_.fail("a facet begins within another facet");
       in_facet_ = true;
       facet_corners_ = 0;
       text_.word();  // skips "normal"
@@ -220,15 +220,14 @@ private:
     } else if (word == "endsolid") {
       ended_ = true;
     } else if (word != "outer" && word != "endloop") {
-      text_.fail(in_quotes(word) + " is not an STL keyword", "export the model again");
+      text_.fail(in_quotes(word) + " is not an STL keyword");
     }
     if (word != "endsolid") ended_ = false;
   }
 
   void end_facet() {
     if (!in_facet_ || facet_corners_ != 3)
-      text_.fail("a facet has " + std::to_string(facet_corners_) + " corners instead of 3",
-                 "export the model again");
+      text_.fail("a facet has " + std::to_string(facet_corners_) + " corners instead of 3");
     builder_.end_polygon();
     in_facet_ = false;
   }

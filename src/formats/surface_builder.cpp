@@ -39,17 +39,17 @@ void SurfaceBuilder::comments(TextCursor& text) {
   for (; !text.at_end() && text.at_line_end(); text.next_line()) comment(text.rest_of_line());
 }
 
-ReadResult SurfaceBuilder::finish(std::string format) {
+ReadResult SurfaceBuilder::finish(std::string format, Attributes attributes) {
   for (std::string& warning : result_.warnings) warning = base::printable(warning);
   if (result_.surface.positions.empty())
     throw base::Error(source_.name, "no vertices found in this " + format + " file",
                       "export the model again");
   if (short_polygons_ > 0)
-    warn(source_.name + ": ignored " + base::counted(short_polygons_, "face") +
-         " with fewer than three corners");
+    warn("ignored " + base::counted(short_polygons_, "face") + " with fewer than three corners");
   if (result_.surface.polygon_count() == 0 && !result_.splats)
-    warn(source_.name + ": the file has no faces, only a set of points");
+    warn("the file has no faces, only a set of points");
   result_.format = std::move(format);
+  if (!attributes.empty()) result_.attributes = std::make_shared<const Attributes>(std::move(attributes));
   triangulate(result_.surface);
   source_.report(1);
   return std::move(result_);

@@ -39,11 +39,15 @@ public:
   void comment(std::string_view text);
   /// Adds the comments before the first statement.
   void comments(TextCursor& text);
-  void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
+  /// Adds a warning about the file, or about a line of the file.
+  void warn(const std::string& text) { warn_at(source_.name, text); }
+  void warn_at(const std::string& place, const std::string& text) {
+    result_.warnings.push_back(place + ": " + text);
+  }
 
   /// Triangulates the polygons. Without vertices, throws base::Error. Warns about dropped or missing
   /// polygons.
-  ReadResult finish(std::string format);
+  ReadResult finish(std::string format, Attributes attributes = {});
 
 private:
   const Source& source_;

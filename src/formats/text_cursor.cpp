@@ -40,15 +40,23 @@ std::string advice_on(std::string_view word) {
   return "repair or export the file again";
 }
 
+// Returns the word as a number. Accepts a plus sign, which from_chars rejects. A number too close to 0 is 0,
+// and a number that is too large is infinite.
+std::optional<double> any_number_in(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [to, code] = std::from_chars(word.data(), end, value);
+  if (to != end || code == std::errc::invalid_argument) return std::nullopt;
+  if (code == std::errc::result_out_of_range) return is_tiny(word) ? 0.0 : HUGE_VAL;
+  return value;
+}
+
 }  // namespace
 
-TextCursor::TextCursor(const Source& source, TextRules rules)
-    : name_(source.name),
-      rules_(rules),
-      begin_(source.bytes.data()),
-      at_(begin_),
-      end_(begin_ + source.bytes.size()) {
-  if (source.bytes.starts_with("\xEF\xBB\xBF")) at_ += 3;
+TextCursor::TextCursor(std::string_view bytes, TextRules rules, std::string_view name)
+    : name_(name), rules_(rules), begin_(bytes.data()), at_(begin_), end_(begin_ + bytes.size()) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) at_ += 3;
 }
 
 // Also accepts blanks after the backslash, because editors do not show blanks.
@@ -117,7 +125,10 @@ double TextCursor::coordinate() {
   if (code == std::errc() && ends_word(to)) {
     at_ = to;
   } else {
-    value = unusual_number(from);
+    const std::string_view text = rest_of_word();
+    const auto unusual = any_number_in(text);
+    if (!unusual) fail(in_quotes(text) + " is not a number", advice_on(text));
+    value = *unusual;
   }
   if (!(std::abs(value) <= mesh::largest_coordinate)) {
     at_ = from;
@@ -125,22 +136,6 @@ double TextCursor::coordinate() {
          "repair the vertex");
   }
   return value;
-}
-
-// Accepts a plus sign, which from_chars rejects. Underflow gives 0, and overflow gives infinity. If the word
-// is not a number, throws base::Error.
-double TextCursor::unusual_number(const char* from) {
-  const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
-  const char* const number = from + (plus ? 1 : 0);
-  double value = 0;
-  const auto [to, code] = std::from_chars(number, end_, value);
-  if ((code == std::errc() || code == std::errc::result_out_of_range) && ends_word(to)) {
-    at_ = to;
-    if (code == std::errc()) return value;
-    return is_tiny({number, to}) ? 0.0 : HUGE_VAL;
-  }
-  const std::string_view text = rest_of_word();
-  fail(in_quotes(text) + " is not a number", advice_on(text));
 }
 
 std::size_t TextCursor::numbers(std::span<double> to, std::span<bool> are_whole) {
@@ -188,13 +183,8 @@ void TextCursor::fail(const std::string& problem, const std::string& advice) con
 }
 
 std::optional<double> number_in(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [to, code] = std::from_chars(word.data(), end, value);
-  if (code == std::errc::result_out_of_range && to == end && is_tiny(word)) return 0.0;
-  if (code != std::errc() || to != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = any_number_in(word);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 bool has_comments(std::string_view text) {

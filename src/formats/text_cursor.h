@@ -22,7 +22,9 @@ inline constexpr TextRules obj_rules{.comment = '#',
 /// Lines end with LF, CR LF or CR. A UTF-8 byte order mark is skipped. The locale has no effect.
 class TextCursor {
 public:
-  TextCursor(const Source& source, TextRules rules);
+  TextCursor(const Source& source, TextRules rules) : TextCursor(source.bytes, rules, source.name) {}
+  /// `name` is for messages. Both views must outlive this object.
+  explicit TextCursor(std::string_view bytes, TextRules rules = {}, std::string_view name = {});
 
   bool at_end() const { return at_ == end_; }
   std::size_t line() const { return line_; }
@@ -71,7 +73,8 @@ public:
   /// Returns the place for messages, `name:line`.
   std::string place() const { return place(line_); }
   std::string place(std::size_t line) const;
-  [[noreturn]] void fail(const std::string& problem, const std::string& advice) const;
+  [[noreturn]] void fail(const std::string& problem,
+                         const std::string& advice = "export the model again") const;
 
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
@@ -92,7 +95,6 @@ private:
       }
     }
   }
-  double unusual_number(const char* from);
 
   std::string_view name_;
   TextRules rules_;

@@ -144,13 +144,12 @@ void check_written(const std::string& place, std::span<const mesh::Point> positi
   for (std::size_t v = 0; v < positions.size(); ++v) check_written(place, v, positions[v], largest);
 }
 
-std::string rounding_note(double error, double diagonal) {
-  if (!(error > 5e-7 * diagonal)) return "";
-  return base::formatted(
+std::vector<std::string> rounding_notes(double error, double diagonal) {
+  if (!(error > 5e-7 * diagonal)) return {};
+  return {base::formatted(
       "the number type of the file rounds coordinates by up to %.2g (%.2g %% of the model's diagonal); to "
-      "keep "
-      "them exact, save as .obj or move the model to the origin",
-      error, diagonal > 0 ? 100 * error / diagonal : 100);
+      "keep them exact, save as .obj or move the model to the origin",
+      error, diagonal > 0 ? 100 * error / diagonal : 100)};
 }
 
 }  // namespace viete::formats

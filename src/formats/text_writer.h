@@ -121,6 +121,16 @@ private:
   std::string out_;
 };
 
+/// Returns the bytes that write(out) writes.
+template <class Write>
+std::string written_text(const Write& write, Digits digits = {}) {
+  std::string bytes;
+  TextWriter out([&](std::string_view portion) { bytes += portion; }, nullptr, digits);
+  write(out);
+  out.finish();
+  return bytes;
+}
+
 /// A number format, defined by Digits or detected from the numbers of a text file by learn().
 class Printed {
 public:
@@ -170,7 +180,7 @@ void check_written(const std::string& place, std::span<const mesh::Point> positi
                    double largest = mesh::largest_coordinate);
 
 /// Returns a warning if the number type of a file changes a coordinate by more than 5e-7 of the model's
-/// diagonal, otherwise "". `error` is the largest change of a coordinate.
-std::string rounding_note(double error, double diagonal);
+/// diagonal, otherwise nothing. `error` is the largest change of a coordinate.
+std::vector<std::string> rounding_notes(double error, double diagonal);
 
 }  // namespace viete::formats

@@ -142,10 +142,7 @@ void put_materials(const fs::path& path, const Format& format, Attributes& a, ba
                     std::back_inserter(notes));
   if (!format.write_library) return;
   complete_materials(a);
-  std::string text;
-  TextWriter out([&](std::string_view bytes) { text += bytes; });
-  format.write_library(a, out);
-  out.finish();
+  const std::string text = written_text([&](TextWriter& out) { format.write_library(a, out); });
   const std::string name = name_in_library(library_stem(path)) + "." + std::string(format.library_extension);
   library = files.put_new(path.parent_path() / name, text).filename().string();
 }
@@ -245,7 +242,7 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
     throw base::Error(path.string(), "morph targets cannot store the motion of a capture (Gaussian splats)",
                       "save numbered files instead: frame_####.ply");
   check_written(path.string(), content.positions);
-  if (writes_itself(original, path)) return original->write_animated(path, content, motion, progress);
+  if (writes_itself(original, path)) return original->write_file(path, content, {}, progress, &motion);
   return write_new(path, content, original, {}, nullptr, [&](const Content& what, TextWriter& out) {
     write_gltf_animated(what, motion, format.write == write_glb, out, progress);
   });
@@ -263,20 +260,19 @@ void check_keeps_vertices(const std::filesystem::path& path) {
                     "save as " + format_extensions(keeps_order));
 }
 
+std::vector<std::string> Original::write(const Content&, TextWriter&) const {
+  throw base::Error(name_, std::string(format_) + " files cannot be written", "save as .glb or .obj");
+}
+
 std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Content& content,
-                                              Digits digits, base::Progress* progress) const {
+                                              Digits digits, base::Progress* progress,
+                                              const MorphMotion*) const {
   base::FilesTogether files;
-  std::vector<std::string> notes = put_companions(path, companions(), files);
+  std::vector<std::string> notes = put_companions(path, companions_, files);
   put_text(files, path, digits, progress,
            [&](TextWriter& out) { std::ranges::move(write(content, out), std::back_inserter(notes)); });
   files.replace();
   return notes;
-}
-
-std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const Content&,
-                                                  const MorphMotion&, base::Progress*) const {
-  throw base::Error(path.string(), "this format cannot store morph targets",
-                    "save as " + format_extensions(holds_morphs));
 }
 
 void check_motion(const MorphMotion& motion, std::size_t vertices) {

@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,16 +18,20 @@ namespace {
 namespace fs = std::filesystem;
 using Number = std::optional<double>;
 
-/// Returns a copy of numbers of splats as an array of float32 with this shape.
-template <class T>
-py::array_t<float> copy_of(std::span<const T> values, const std::vector<py::ssize_t>& shape) {
-  return py::array_t<float>(shape, reinterpret_cast<const float*>(values.data()));
+/// Returns a copy of the numbers as an array (n, N).
+template <std::size_t N>
+py::array_t<float> copy_of(std::span<const std::array<float, N>> rows) {
+  return py::array_t<float>({rows.size(), N}, reinterpret_cast<const float*>(rows.data()));
+}
+
+py::array_t<float> opacities_of(const Splats& splats) {
+  return py::array_t<float>(std::ssize(splats.opacities()), splats.opacities().data());
 }
 
 py::array_t<float> harmonics_of(const Splats& splats) {
-  const auto count = static_cast<py::ssize_t>(splats.opacities().size());
-  const auto all = static_cast<py::ssize_t>(splats.harmonics().size());
-  return copy_of(splats.harmonics(), {count, 3, count > 0 ? all / (3 * count) : 0});
+  const std::size_t count = splats.opacities().size(), all = splats.harmonics().size();
+  return py::array_t<float>({count, std::size_t{3}, count > 0 ? all / (3 * count) : 0},
+                            splats.harmonics().data());
 }
 
 Splats deformed(const Splats& splats, const py::object& cage_vertices, const py::object& cage_faces,
@@ -46,7 +51,6 @@ Splats deformed(const Splats& splats, const py::object& cage_vertices, const py:
 
 void define_splats(py::module_& m) {
   const auto none = py::none();
-  const auto count = [](const Splats& s) { return static_cast<py::ssize_t>(s.opacities().size()); };
   py::class_<Splats>(m, "Splats",
                      "A capture of Gaussian splats. Never changes. Arrays are copies, as in PLY files.")
       .def(py::init([](const fs::path& file) {
@@ -54,29 +58,18 @@ void define_splats(py::module_& m) {
              return Splats(file);
            }),
            py::arg("path"), "Reads .ply with scale_0, rot_0 and opacity, or .spz. Raises Error.")
-      .def("__len__", count)
+      .def("__len__", [](const Splats& s) { return s.opacities().size(); })
       .def_property_readonly(
           "vertices", [](const Splats& s) { return array_of(s.vertices()); }, "Centres, (n, 3) float64.")
       .def_property_readonly(
-          "log_scales",
-          [=](const Splats& s) {
-            return copy_of(s.log_scales(), {count(s), 3});
-          },
+          "log_scales", [](const Splats& s) { return copy_of(s.log_scales()); },
           "Logarithms of the standard deviations along the axes, (n, 3) float32.")
       .def_property_readonly(
-          "rotations",
-          [=](const Splats& s) {
-            return copy_of(s.rotations(), {count(s), 4});
-          },
+          "rotations", [](const Splats& s) { return copy_of(s.rotations()); },
           "Quaternions w, x, y, z of any length, (n, 4) float32; the axes are the columns of their matrices.")
+      .def_property_readonly("opacities", opacities_of, "Logits of the opacities, (n,) float32.")
       .def_property_readonly(
-          "opacities", [=](const Splats& s) { return copy_of(s.opacities(), {count(s)}); },
-          "Logits of the opacities, (n,) float32.")
-      .def_property_readonly(
-          "colors",
-          [=](const Splats& s) {
-            return copy_of(s.colors(), {count(s), 3});
-          },
+          "colors", [](const Splats& s) { return copy_of(s.colors()); },
           "Coefficients of the constant spherical harmonic, (n, 3) float32.")
       .def_property_readonly("harmonics", harmonics_of,
                              "Coefficients of the other harmonics, (n, 3, k) float32 with k = 0, 3, 8 or 15.")

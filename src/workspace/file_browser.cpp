@@ -11,7 +11,7 @@
 #include "files/animation_export.h"
 #include "files/output.h"
 #include "files/session.h"
-#include "foreign/kinds.h"
+#include "foreign/read.h"
 #include "formats/format_table.h"
 
 namespace viete::workspace {

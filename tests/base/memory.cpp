@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/os.h"
 
 using namespace viete;
 
@@ -18,7 +19,7 @@ TEST_CASE("arrays_start_at_a_cache_line_and_impossible_ones_throw") {
 }
 
 TEST_CASE("excessive_memory_needs_are_rejected_with_their_size") {
-  if (const auto bytes = base::free_memory()) CHECK(*bytes > 1e6);
+  if (const auto bytes = base::os::free_memory()) CHECK(*bytes > 1e6);
   base::require_memory({1, "one byte takes", "", ""});
   CHECK_THROWS_WITH_AS(
       base::refuse_memory({160e9, "1,000 matrices take", "give a smaller number", "--count"}),

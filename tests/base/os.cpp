@@ -117,7 +117,6 @@ TEST_CASE("the_machine_reports_memory_and_processor_time") {
   for (int i = 0; i < 20'000'000; ++i) sum = sum + i;
   CHECK(os::thread_seconds() - begun > 1e-4);
   CHECK(os::local_time(0).tm_year >= 69);
-  CHECK(os::universal_time(0).tm_year == 70);
   CHECK_FALSE(os::home_folder().empty());
   os::set_variable("VIETE_TEST_VARIABLE", "\xC3\xA9");
   CHECK(os::variable("VIETE_TEST_VARIABLE") == "\xC3\xA9");

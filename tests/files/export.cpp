@@ -88,11 +88,11 @@ TEST_CASE("an_export_that_is_stopped_or_fails_leaves_the_file_as_it_was") {
 }
 
 TEST_CASE("a_method_is_named_with_its_error_only_where_that_matters") {
-  CHECK(method_note(sym3::Method::fast, 0).empty());
-  CHECK(method_note(sym3::Method::sd, 1e-10).empty());
-  const std::string note = method_note(sym3::Method::sd, 2.84e-6);
+  CHECK(method_notes(sym3::Method::fast, 0).empty());
+  CHECK(method_notes(sym3::Method::sd, 1e-10).empty());
+  const std::string note = method_notes(sym3::Method::sd, 2.84e-6).at(0);
   for (const char* part : {"method sd", "2.9e-06", "fast"}) CHECK_MESSAGE(test::mentions(note, part), note);
-  CHECK(test::mentions(method_note(sym3::Method::improved_sd, INFINITY), "gives NaN"));
+  CHECK(test::mentions(method_notes(sym3::Method::improved_sd, INFINITY).at(0), "gives NaN"));
 }
 
 TEST_CASE("captures_are_refused_before_they_are_deformed") {

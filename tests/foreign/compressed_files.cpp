@@ -45,12 +45,8 @@ struct Packed : test::TemporaryFolder {
   }
 };
 
-GltfJson& first_primitive(GltfParts& parts) {
-  return parts.json["meshes"][0]["primitives"][0];
-}
-
 GltfJson& draco_extension(GltfParts& parts) {
-  return first_primitive(parts)["extensions"]["KHR_draco_mesh_compression"];
+  return parts.primitive()["extensions"]["KHR_draco_mesh_compression"];
 }
 
 // All numbers of the first primitive, by attribute.
@@ -110,7 +106,7 @@ TEST_CASE("draco_with_quantization_keeps_triangles_and_places_within_half_a_step
   const Numbers expected = numbers_of(plain.glb());
   for (const int bits : {8, 11, 14}) {
     GltfParts packed = test::with_draco(plain, false, bits);
-    first_primitive(packed).erase("targets");  // they need the order
+    packed.primitive().erase("targets");  // they need the order
     const Numbers found = numbers_of(folder.decompressed(packed.glb()));
     CHECK(triangles_of(found) == triangles_of(expected));
     std::map<std::array<double, 2>, std::size_t> by_texture;
@@ -189,7 +185,7 @@ TEST_CASE("filters_of_meshopt_restore_normals_rotations_and_floats") {
                                         {"normalized", type != 5126}});
     return packed.json["accessors"].size() - 1;
   };
-  GltfJson& attributes = first_primitive(packed)["attributes"];
+  GltfJson& attributes = packed.primitive()["attributes"];
   attributes["NORMAL"] = accessor(add("OCTAHEDRAL", octahedral, 4), 5120, "VEC3");
   attributes["_WIDE"] = accessor(add("OCTAHEDRAL", wide, 8), 5122, "VEC3");
   attributes["_ROTATION"] = accessor(add("QUATERNION", quaternions, 8), 5122, "VEC4");
@@ -211,11 +207,11 @@ TEST_CASE("strips_fallbacks_and_shared_draco_data_are_decoded") {
   const GltfParts plain = test::grid(5);
   const Numbers expected = numbers_of(plain.glb());
   GltfParts packed = test::with_draco(plain, true, 0);
-  first_primitive(packed)["mode"] = 5;
-  first_primitive(packed).erase("indices");
-  first_primitive(packed)["attributes"].erase("NORMAL");
+  packed.primitive()["mode"] = 5;
+  packed.primitive().erase("indices");
+  packed.primitive()["attributes"].erase("NORMAL");
   draco_extension(packed)["attributes"].erase("NORMAL");
-  packed.json["meshes"][0]["primitives"].push_back(first_primitive(packed));
+  packed.json["meshes"][0]["primitives"].push_back(packed.primitive());
   const std::string out = folder.decompressed(packed.glb());
   Numbers found = numbers_of(out);
   found["NORMAL"] = expected.at("NORMAL");
@@ -228,7 +224,7 @@ TEST_CASE("strips_fallbacks_and_shared_draco_data_are_decoded") {
   const GltfJson& view = draco.json["bufferViews"][1];
   const std::string bytes = draco.bytes.substr(view["byteOffset"], view["byteLength"]);
   const std::size_t added = both.view(std::vector<char>(bytes.begin(), bytes.end()));
-  first_primitive(both)["extensions"] = draco.json["meshes"][0]["primitives"][0]["extensions"];
+  both.primitive()["extensions"] = draco.json["meshes"][0]["primitives"][0]["extensions"];
   draco_extension(both)["bufferView"] = added;
   both.json["extensionsUsed"] = GltfJson::array({"KHR_draco_mesh_compression"});
   require_equal(numbers_of(folder.decompressed(both.glb())), expected);

@@ -51,7 +51,7 @@ inline GltfParts grid(std::uint16_t n) {
   p.json["accessors"].back()["normalized"] = true;
   attributes["JOINTS_0"] = p.accessor(joints, 5121, "VEC4", 4);
   attributes["WEIGHTS_0"] = p.accessor(weights, 5126, "VEC4", 4);
-  GltfJson& primitive = p.json["meshes"][0]["primitives"][0];
+  GltfJson& primitive = p.primitive();
   primitive["attributes"] = attributes;
   primitive["indices"] = p.accessor(triangles, 5123, "SCALAR", 1);
   primitive["targets"] = {{{"POSITION", p.accessor(target, 5126, "VEC3", 3)}}};

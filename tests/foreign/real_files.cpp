@@ -1,6 +1,5 @@
 // The models of Assimp's own tests (package assimp-testmodels), compared with Assimp's tool (assimp-utils).
 #include "base/error.h"
-#include "foreign/kinds.h"
 #include "foreign/read.h"
 #include "mesh/summary.h"
 #include "support/data.h"

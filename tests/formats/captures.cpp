@@ -11,7 +11,7 @@ using namespace viete::formats;
 using viete::mesh::Point;
 using viete::mesh::Splats;
 using viete::test::CapturePly;
-using viete::test::holds;
+using viete::test::mentions;
 using viete::test::posed_bytes;
 
 namespace {
@@ -25,7 +25,7 @@ CapturePly capture(const char* format, std::size_t harmonics = 45) {
 }
 
 bool warns(const ReadResult& read, const std::string& text) {
-  return std::ranges::any_of(read.warnings, [&](const std::string& w) { return holds(w, text); });
+  return std::ranges::any_of(read.warnings, [&](const std::string& w) { return mentions(w, text); });
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ TEST_CASE("unusual_numbers_of_splats_are_read_and_come_back") {
     CHECK(r.splats->log_scales[6][1] == -80);
     CHECK(posed_bytes(r, r.surface.positions, r.splats.get()) == ply.bytes());
     ply.value = [](std::size_t, std::size_t p) { return p == 1 ? std::nanf("") : 0.0F; };
-    CHECK(holds(test::refusal(ply.bytes(), "ply"), "not a finite number"));
+    CHECK(mentions(test::refusal(ply.bytes(), "ply"), "not a finite number"));
   }
 }
 
@@ -200,19 +200,19 @@ TEST_CASE("captures_of_kinds_that_are_not_read_are_refused_by_name") {
   const std::string binary("\1\2\0\3\4\0\0\0", 8);
   for (const char* extension : {"splat", "ksplat", "sog", "lcc"}) {
     const std::string found = test::refusal(binary, extension);
-    CHECK_MESSAGE(holds(found, std::string("a capture (Gaussian splats) in a")), found);
-    CHECK_MESSAGE(holds(found, std::string(".") + extension + " file"), found);
-    CHECK(holds(found, "export it as PLY"));
+    CHECK_MESSAGE(mentions(found, std::string("a capture (Gaussian splats) in a")), found);
+    CHECK_MESSAGE(mentions(found, std::string(".") + extension + " file"), found);
+    CHECK(mentions(found, "export it as PLY"));
   }
-  CHECK(holds(test::refusal("PK\3\4meta.json", "sog"), "in a .sog file"));
-  CHECK(holds(test::refusal("version https://git-lfs.github.com/spec/v1", "splat"), "Git LFS pointer"));
-  CHECK(holds(test::refusal("NGSP" + binary, "spz"), "SPZ version 4 or later"));
+  CHECK(mentions(test::refusal("PK\3\4meta.json", "sog"), "in a .sog file"));
+  CHECK(mentions(test::refusal("version https://git-lfs.github.com/spec/v1", "splat"), "Git LFS pointer"));
+  CHECK(mentions(test::refusal("NGSP" + binary, "spz"), "SPZ version 4 or later"));
   const std::string compressed =
       "ply\nformat binary_little_endian 1.0\nelement chunk 0\nproperty float min_x\nelement vertex 1\n"
       "property uint packed_position\nproperty uint packed_rotation\nproperty uint packed_scale\n"
       "property uint packed_color\nend_header\n" +
       std::string(16, 'x');
-  CHECK(holds(test::refusal(compressed, "ply"), "a capture (Gaussian splats) in a compressed PLY file"));
+  CHECK(mentions(test::refusal(compressed, "ply"), "a capture (Gaussian splats) in a compressed PLY file"));
 }
 
 TEST_CASE("captures_in_formats_without_splats_are_points_and_a_note") {
@@ -222,8 +222,8 @@ TEST_CASE("captures_in_formats_without_splats_are_points_and_a_note") {
     const auto notes = write(folder / name, {r.surface, r.surface.positions, {}, nullptr, r.splats.get()},
                              r.original.get(), {});
     REQUIRE(notes.size() == 1);
-    CHECK(holds(notes[0], "sizes, rotations, opacities and colours of splats, comments"));
-    CHECK_FALSE(holds(notes[0], "f_rest"));
+    CHECK(mentions(notes[0], "sizes, rotations, opacities and colours of splats, comments"));
+    CHECK_FALSE(mentions(notes[0], "f_rest"));
     CHECK(read(folder / name).surface.positions.size() == 4);
   }
   CHECK_THROWS_AS(write(folder / "a.stl", {r.surface, r.surface.positions, {}}, r.original.get(), {}),
@@ -238,10 +238,9 @@ TEST_CASE("captures_in_formats_without_splats_are_points_and_a_note") {
 
 TEST_CASE("captures_are_written_in_the_usual_order") {
   const ReadResult r = test::read_kept(capture("ascii", 24).bytes(), "ply");
-  std::string bytes;
-  TextWriter out([&](std::string_view portion) { bytes += portion; });
-  write_ply({r.surface, r.surface.positions, {}, nullptr, r.splats.get()}, out);
-  out.finish();
+  const std::string bytes = written_text([&](TextWriter& out) {
+    write_ply({r.surface, r.surface.positions, {}, nullptr, r.splats.get()}, out);
+  });
   CapturePly usual = capture("binary_little_endian", 24);
   usual.before.clear();
   usual.value = [value = usual.value](std::size_t v, std::size_t p) {

@@ -60,12 +60,10 @@ struct CapturePly {
 /// Writes the file again with these positions and splats. Returns the bytes.
 inline std::string posed_bytes(const formats::ReadResult& read, const std::vector<Point>& positions,
                                const mesh::Splats* splats, std::span<const std::uint32_t> sources = {}) {
-  std::string all;
-  formats::TextWriter out([&](std::string_view portion) { all += portion; });
   REQUIRE(read.original);
-  read.original->write({read.surface, positions, {}, nullptr, splats, sources}, out);
-  out.finish();
-  return all;
+  return formats::written_text([&](formats::TextWriter& out) {
+    read.original->write({read.surface, positions, {}, nullptr, splats, sources}, out);
+  });
 }
 
 }  // namespace viete::test

@@ -7,7 +7,7 @@
 using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;
-using viete::test::holds;
+using viete::test::mentions;
 
 namespace {
 
@@ -104,10 +104,10 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
         Notes{"left out of the OFF file: property quality of vertex, element edge"});
   test::GltfParts parts = test::patch();
   parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
-  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
-  parts.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 2;
-  CHECK(holds(convert(test::read_kept(parts.glb(), "glb"), c / "a.ply", true).at(0),
-              "materials, animations, morph targets, second texture coordinates"));
+  parts.primitive()["targets"] = {{{"POSITION", 0}}};
+  parts.primitive()["attributes"]["TEXCOORD_1"] = 2;
+  CHECK(mentions(convert(test::read_kept(parts.glb(), "glb"), c / "a.ply", true).at(0),
+                 "materials, animations, morph targets, second texture coordinates"));
 }
 
 TEST_CASE("conversion_names_comments_headers_attributes_extras_and_extensions") {
@@ -140,7 +140,7 @@ TEST_CASE("conversion_names_comments_headers_attributes_extras_and_extensions") 
   test::GltfParts parts = test::patch();
   parts.json["asset"]["copyright"] = "someone";
   parts.json["extensionsUsed"] = {"KHR_texture_transform", "EXT_other"};
-  CHECK(holds(left_out(parts.glb(), "glb", "a.obj"), "copyright, extras, extension EXT_other"));
+  CHECK(mentions(left_out(parts.glb(), "glb", "a.obj"), "copyright, extras, extension EXT_other"));
   CHECK(left_out("COFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2 255 0 0\n", "off", "a.glb") ==
         "colours of faces");
 }
@@ -200,9 +200,9 @@ TEST_CASE("obj_and_ply_saved_elsewhere_find_their_materials_and_images") {
   for (int i = 0; i < 2; ++i) {
     const auto notes = again("in/a.obj", "out/b.obj");
     REQUIRE(notes.size() == 3);
-    CHECK(holds(notes[0], "a.mtl, textures/wood.png"));
-    CHECK(holds(notes[1], "bumps.png"));
-    CHECK(holds(notes[2], "far.png"));
+    CHECK(mentions(notes[0], "a.mtl, textures/wood.png"));
+    CHECK(mentions(notes[1], "bumps.png"));
+    CHECK(mentions(notes[2], "far.png"));
   }
   CHECK(test::file_bytes(folder / "out/b.obj") == textured);
   CHECK(test::file_bytes(folder / "out/textures/wood.png") == "wood");
@@ -214,7 +214,7 @@ TEST_CASE("obj_and_ply_saved_elsewhere_find_their_materials_and_images") {
   CHECK_FALSE(fs::exists(folder / "nowhere"));
   CHECK(again("in/a.obj", "in/b.obj").empty());
   fs::create_directory(folder / "new");
-  CHECK(holds(again("out/../in/a.obj", "new/b.obj").at(0), "a.mtl, bumps.png, textures/wood.png"));
+  CHECK(mentions(again("out/../in/a.obj", "new/b.obj").at(0), "a.mtl, bumps.png, textures/wood.png"));
   test::put_file(
       folder / "in/a.ply",
       "ply\nformat ascii 1.0\ncomment TextureFile bumps.png\nelement vertex 3\nproperty float x\nproperty "

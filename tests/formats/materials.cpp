@@ -9,7 +9,7 @@
 
 using namespace viete;
 using namespace viete::formats;
-using viete::test::holds;
+using viete::test::mentions;
 
 namespace {
 
@@ -186,9 +186,9 @@ TEST_CASE("images_that_gltf_cannot_store_are_converted_or_named") {
   fs::remove(p / "in/glow.png");
   const Notes notes = p.convert("in/a.obj", "out/b.glb");
   REQUIRE(notes.size() == 3);
-  CHECK(holds(notes[0], "surface.png"));
-  CHECK(holds(notes[1], "glow.png"));
-  CHECK(holds(notes[2], "heights instead of normals"));
+  CHECK(mentions(notes[0], "surface.png"));
+  CHECK(mentions(notes[1], "glow.png"));
+  CHECK(mentions(notes[2], "heights instead of normals"));
   const Attributes a = p.attributes("out/b.glb");
   REQUIRE(a.images.size() == 1);
   CHECK(base::decode_picture("", *a.images[0].bytes).pixel(0, 0)[0] == 255);
@@ -215,7 +215,7 @@ TEST_CASE("hostile_names_of_images_stay_in_the_folder") {
   test::put_file(p / "in/c.glb", parts.glb());
   const Notes notes = p.convert("in/c.glb", "out/c.obj");
   REQUIRE(!notes.empty());
-  CHECK_MESSAGE(holds(notes.back(), ".profile: this is not an image"), notes.back());
+  CHECK_MESSAGE(mentions(notes.back(), ".profile: this is not an image"), notes.back());
   for (const auto& entry : fs::directory_iterator(p.path()))
     CHECK((entry.path() == p / "in" || entry.path() == p / "out"));
   CHECK(fs::exists(p / "out/evil.png"));
@@ -224,8 +224,8 @@ TEST_CASE("hostile_names_of_images_stay_in_the_folder") {
   CHECK(fs::exists(p / "out/.x.desktop.png"));
   CHECK(!fs::exists(p / "out/.profile"));
   const auto names = test::file_bytes(p / "out/c.mtl");
-  CHECK(holds(names, "newmtl _m\n"));
-  CHECK(holds(names, "newmtl _m-8\n"));
+  CHECK(mentions(names, "newmtl _m\n"));
+  CHECK(mentions(names, "newmtl _m-8\n"));
 }
 
 TEST_CASE("only_images_are_copied") {
@@ -234,7 +234,7 @@ TEST_CASE("only_images_are_copied") {
   test::put_file(p / "secret.txt", "password");
   const Notes notes = p.convert("in/a.obj", "out/a.ply");
   REQUIRE(!notes.empty());
-  CHECK(holds(notes.back(), "secret.txt: this is not an image"));
+  CHECK(mentions(notes.back(), "secret.txt: this is not an image"));
   CHECK(p.files_in_out() == 2);
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("names_that_libraries_cannot_contain_are_replaced") {
   parts.json["textures"] = {{{"source", 0}}};
   parts.json["materials"] = {{{"name", "m"}, {"emissiveTexture", {{"index", 0}}}}};
   parts.json["nodes"][0]["name"] = "a#";
-  parts.json["meshes"][0]["primitives"][0]["material"] = 0;
+  parts.primitive()["material"] = 0;
   test::put_file(p / "out/c.glb", parts.glb());
   test::put_file(p / "out/h#\n.png", png({1, 2, 3, 255}));
   p.convert("out/c.glb", "out/c#.obj");

@@ -2,6 +2,7 @@
 
 #include "formats/gltf_judge.h"
 #include "formats/morph_keys.h"
+#include "support/distance.h"
 #include "support/gltf.h"
 #include "support/shapes.h"
 
@@ -9,15 +10,9 @@ using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;
 using test::GltfParts;
-using test::holds;
+using test::mentions, test::raised;
 
 namespace {
-
-std::vector<Point> bent(const Surface& s, double by) {
-  std::vector<Point> posed = s.positions;
-  for (Point& p : posed) p[2] += by * p[0] * p[0];
-  return posed;
-}
 
 struct Wave {
   std::vector<std::vector<Point>> positions;
@@ -25,7 +20,7 @@ struct Wave {
 
   // The keys are: rest, up, down, rest.
   explicit Wave(const Surface& s) {
-    for (const double by : {0.0, 0.5, -0.25, 0.0}) positions.push_back(bent(s, by));
+    for (const double by : {0.0, 0.5, -0.25, 0.0}) positions.push_back(raised(s, by));
     animation.name = "wave";
     for (std::size_t i = 0; i < positions.size(); ++i)
       animation.keys.push_back({0.5 * static_cast<double>(i), "key " + std::to_string(i), positions[i]});
@@ -95,8 +90,7 @@ void check_near(std::span<const double> found, std::span<const Point> expected, 
 }
 
 void check_near(const std::vector<Point>& found, const std::vector<Point>& expected, double near = 1e-6) {
-  REQUIRE(found.size() == expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
+  CHECK(test::largest_distance(found, expected) < near);
 }
 
 // Returns the positions of all vertices in the file. `p` has the positions of the vertices of the surface.
@@ -166,7 +160,7 @@ TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   open[3] = -1;
   open[0] = 1;  // exchanges vertices 0 and 1; vertex 4 stays at x = 1
   const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
-  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
+  parts.primitive()["targets"] = {{{"POSITION", delta}}};
   parts.json["meshes"][0]["weights"] = {0.5};
   const ReadResult r = test::read_kept(parts.glb(), "glb");
   REQUIRE(r.surface.positions.size() == 7);
@@ -180,7 +174,7 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   const ReadResult r = test::put_and_read(folder / "a.glb", weighed_patch().glb());
   write(folder / "rest.glb", {r.surface, r.surface.positions, {}}, r.original.get(), {});
   CHECK(test::file_bytes(folder / "rest.glb") == test::file_bytes(folder / "a.glb"));
-  std::vector<Point> posed = bent(r.surface, 0.5);
+  std::vector<Point> posed = raised(r.surface, 0.5);
   posed[11] = r.surface.positions[11];
   write(folder / "b.glb", {r.surface, posed, {}}, r.original.get(), {});
   const MorphJudge judge(folder / "b.glb"), before(folder / "a.glb");
@@ -190,9 +184,9 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   GltfParts plain = test::patch();  // will have the shape of node 0, but no targets
   const auto shown = before.shown(0, "POSITION");
   const auto leaning = before.shown(0, "NORMAL");
-  plain.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+  plain.primitive()["attributes"]["POSITION"] =
       plain.accessor(std::vector<float>(shown.begin(), shown.end()), 5126, "VEC3", 3);
-  plain.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
+  plain.primitive()["attributes"]["NORMAL"] =
       plain.accessor(std::vector<float>(leaning.begin(), leaning.end()), 5126, "VEC3", 3);
   const ReadResult p = test::put_and_read(folder / "plain.glb", plain.glb());
   write(folder / "plain_b.glb", {p.surface, first, {}}, p.original.get(), {});
@@ -239,7 +233,8 @@ TEST_CASE("keys_become_targets_and_other_content_is_kept") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   for (const char* name : {"a.glb", "a.gltf"}) {
-    const ReadResult r = test::put_and_read(folder / name, holds(name, "glb") ? parts.glb() : parts.text());
+    const ReadResult r =
+        test::put_and_read(folder / name, mentions(name, "glb") ? parts.glb() : parts.text());
     CHECK(r.original->morphs() == nullptr);
     const Wave wave(r.surface);
     const auto out = folder / (std::string("out-") + name);
@@ -323,7 +318,7 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
   const Wave wave(r.surface);
   const auto notes = test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}},
                                         r.original.get(), wave.animation);
-  CHECK(holds(notes.at(0), "1 animation of the file stays"));
+  CHECK(mentions(notes.at(0), "1 animation of the file stays"));
   const MorphJudge judge(folder / "b.glb");
   REQUIRE(judge.model.animations.size() == 2);
   CHECK(judge.weights(0, 1, 0) == std::vector<float>{1, 0, 0});
@@ -335,7 +330,7 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
   const auto clip = read(folder / "b.glb").original->morphs();
   CHECK(clip->name() == "lift");
   CHECK(clip->targets().size() == 3);
-  CHECK(holds(clip->notes().at(0), "only the first of 2 animations of weights is used"));
+  CHECK(mentions(clip->notes().at(0), "only the first of 2 animations of weights is used"));
 }
 
 TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
@@ -353,7 +348,7 @@ TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
   const test::MorphAnimation animation{"a", {{0, "rest", r.surface.positions}, {1, "posed", posed}}};
   const auto notes =
       test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
-  CHECK(holds(notes.at(0), "shared meshes were copied "));
+  CHECK(mentions(notes.at(0), "shared meshes were copied "));
   const auto clip = read(folder / "b.glb").original->morphs();
   REQUIRE(clip);
   check_near(clip->at_key(0), r.surface.positions, 1e-5);
@@ -427,10 +422,10 @@ TEST_CASE("invalid_animations_are_rejected_and_nothing_is_written") {
     }
     return std::string();
   };
-  CHECK(holds(refused({}), "the animation has no keys"));
-  CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: the time"));
-  CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: the time"));
-  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is invalid"));
+  CHECK(mentions(refused({}), "the animation has no keys"));
+  CHECK(mentions(refused({{0, "", rest}, {0, "", rest}}), "key 1: the time"));
+  CHECK(mentions(refused({{std::nan(""), "", rest}}), "key 0: the time"));
+  CHECK(mentions(refused({{0, "", far}}), "the position of vertex 0 is invalid"));
   CHECK(folder.entries() == 0);
   base::Progress progress;
   progress.cancel();
@@ -451,7 +446,7 @@ TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
   std::vector<float> lift;
   for (int i = 0; i < 8; ++i) lift.insert(lift.end(), {0, 0, 1});
   const std::size_t delta = parts.accessor(lift, 5126, "VEC3", 3);
-  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}, {{"POSITION", delta}}};
+  parts.primitive()["targets"] = {{{"POSITION", delta}}, {{"POSITION", delta}}};
   const std::size_t input = parts.accessor(std::vector<float>{0, 1}, 5126, "SCALAR", 1);
   const std::size_t cubic =
       parts.accessor(std::vector<float>{9, 9, 0, 1, 9, 9, 9, 9, 2, 3, 9, 9}, 5126, "SCALAR", 1);
@@ -479,7 +474,7 @@ TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
     CHECK(clip->targets() == std::vector<std::string>{"target 1", "target 2"});
     const auto warnings = test::read_kept(parts.glb(), "glb").warnings;
     REQUIRE(warnings.size() == 1);
-    CHECK(holds(warnings[0], "the animation of morph targets is ignored"));
+    CHECK(mentions(warnings[0], "the animation of morph targets is ignored"));
   }
   CHECK_THROWS_WITH_AS(clip_of(back, plain, "LINEAR"), doctest::Contains("do not increase"), base::Error);
   CHECK_THROWS_WITH_AS(clip_of(input, nan, "LINEAR"), doctest::Contains("not finite"), base::Error);
@@ -496,7 +491,7 @@ TEST_CASE("far_floats_of_a_file_round_moved_and_animated_positions_and_the_notes
   test::GltfParts parts = test::patch();
   std::vector<float> far = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0, 2, 1, 0};
   for (std::size_t i = 0; i < far.size(); ++i) far[i] += i % 3 == 1 ? 5411987.0f : 431234.0f;
-  parts.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = parts.accessor(far, 5126, "VEC3", 3);
+  parts.primitive()["attributes"]["POSITION"] = parts.accessor(far, 5126, "VEC3", 3);
   const ReadResult r = test::put_and_read(folder / "far.glb", parts.glb());
   std::vector<mesh::Point> moved = r.surface.positions;
   for (mesh::Point& p : moved) p[1] += 0.2;  // floats are 0.5 apart there

@@ -4,7 +4,7 @@
 using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;
-using viete::test::holds;
+using viete::test::mentions;
 
 namespace {
 
@@ -155,7 +155,7 @@ TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
       CHECK(test::read_text(moved, "obj").surface.positions[2] == Point{1, 0, 5});
       CHECK(test::read_text(moved, "obj").attributes->normals[0] == Vec3{0, -1, 0});
     }
-  CHECK(holds(test::refusal("v 0\\ \n0\\\r\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
+  CHECK(mentions(test::refusal("v 0\\ \n0\\\r\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
 }
 
 TEST_CASE("obj_oddities_cause_warnings") {
@@ -166,9 +166,9 @@ TEST_CASE("obj_oddities_cause_warnings") {
       test::read_text(four + "f 1 2\nf 1 2 3\nvertex 1\nvertex 2\nsurf 0 1 0 1 1 2\n", "obj");
   REQUIRE(odd.warnings.size() == 3);
   CHECK(odd.surface.polygon_count() == 1);
-  CHECK(holds(odd.warnings[0], "1 free-form element cannot be shown"));
-  CHECK(holds(odd.warnings[1], "given.obj:7: ignored 2 lines"));
-  CHECK(holds(odd.warnings[2], "ignored 1 face with fewer than three corners"));
+  CHECK(mentions(odd.warnings[0], "1 free-form element cannot be shown"));
+  CHECK(mentions(odd.warnings[1], "given.obj:7: ignored 2 lines"));
+  CHECK(mentions(odd.warnings[2], "ignored 1 face with fewer than three corners"));
 }
 
 TEST_CASE("obj_comments_of_the_head_are_kept") {
@@ -263,8 +263,8 @@ TEST_CASE("obj_invalid_attribute_indices_cause_a_warning") {
   CHECK(read.attributes->corner_normal == std::vector<std::uint32_t>{0, 1, none, 0, none, none});
   CHECK(read.attributes->normals[1] == Vec3{0, 0, 0});
   REQUIRE(read.warnings.size() == 3);
-  CHECK(holds(read.warnings[0], "5 references to missing texture coordinates or normals"));
-  CHECK(holds(read.warnings[1], "used 0 for 1 unreadable line of texture coordinates"));
+  CHECK(mentions(read.warnings[0], "5 references to missing texture coordinates or normals"));
+  CHECK(mentions(read.warnings[1], "used 0 for 1 unreadable line of texture coordinates"));
 }
 
 TEST_CASE("obj_normals_turn_with_a_rigid_motion_and_no_line_is_added") {
@@ -273,8 +273,8 @@ TEST_CASE("obj_normals_turn_with_a_rigid_motion_and_no_line_is_added") {
   for (Point& p : moved) p = {-p[1] + 5, p[0], p[2]};
   const std::string written = test::written_again(read, moved);
   CHECK(count_of(written, "vn ") == 2);
-  CHECK(holds(written, "vn 0.0000 0.0000 1.0000\nvn 0.0000 1.0000 0.0000\n# normals"));
-  CHECK(holds(written, "f 1//-1 4//-1 6//-1 5//-1\n"));
+  CHECK(mentions(written, "vn 0.0000 0.0000 1.0000\nvn 0.0000 1.0000 0.0000\n# normals"));
+  CHECK(mentions(written, "f 1//-1 4//-1 6//-1 5//-1\n"));
 }
 
 TEST_CASE("obj_shared_normal_is_split_where_corners_differ") {
@@ -287,8 +287,8 @@ TEST_CASE("obj_shared_normal_is_split_where_corners_differ") {
     const std::string written = test::written_again(read, moved);
     const std::string end = crlf ? "\r\n" : "\n";
     CHECK(count_of(written, "vn ") > 2);
-    CHECK(holds(written, "vn 1.0000 0.0000 0.0000" + end + "vn "));
-    CHECK(holds(written, end + "# normals" + end));
+    CHECK(mentions(written, "vn 1.0000 0.0000 0.0000" + end + "vn "));
+    CHECK(mentions(written, end + "# normals" + end));
     const auto before = corner_normals(text), after = corner_normals(written);
     for (std::size_t c = 0; c < 4; ++c) {
       CHECK(after[c] != before[c]);
@@ -326,7 +326,7 @@ TEST_CASE("obj_normal_indices_continue_across_blocks") {
   CHECK(test::written_again(read, read.surface.positions) == text);
   // The face with only two corners still refers to the second normal of `folded`.
   const std::string unmoved = "f 1//" + std::to_string(count_of(folded, "vn ")) + " 2//2\n";
-  CHECK(holds(written, unmoved));
+  CHECK(mentions(written, unmoved));
 }
 
 TEST_CASE("obj_normal_on_an_unterminated_last_line_can_be_split") {
@@ -387,7 +387,7 @@ TEST_CASE("missing_or_invalid_libraries_cause_a_warning") {
     const ReadResult read =
         test::read_kept("mtllib " + std::string(name) + "\n" + triangle, "obj", folder.path());
     REQUIRE(!read.warnings.empty());
-    CHECK(holds(read.warnings[0], "material library"));
+    CHECK(mentions(read.warnings[0], "material library"));
     CHECK(read.attributes->materials[0].name == "red");
   }
 }
@@ -406,5 +406,5 @@ TEST_CASE("libraries_are_found_by_names_with_blanks_and_by_several_names") {
   const ReadResult other = test::read_kept(
       "mtllib two.mtl\nusemtl green\n" + triangle + "usemtl green\nf 1 2 3\n", "obj", folder.path());
   REQUIRE(other.warnings.size() == 1);
-  CHECK(holds(other.warnings[0], "1 material not found"));
+  CHECK(mentions(other.warnings[0], "1 material not found"));
 }

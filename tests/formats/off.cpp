@@ -5,7 +5,7 @@
 using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;
-using viete::test::holds;
+using viete::test::mentions;
 
 namespace {
 
@@ -67,8 +67,8 @@ TEST_CASE("off_prefixes_are_known_in_any_order") {
   for (const std::string head : {"XOFF", "COF", "OFFC"})
     CHECK_FALSE(looks_like_off(Source{"given", "off", head + "\n" + body}));
   for (const std::string head : {"4OFF", "nOFF", "STCN4nOFF", "C4OFF"})
-    CHECK(holds(test::refusal(head + "\n4 2 0\n" + body, "off"),
-                '"' + head + "\" is not supported: positions must have three coordinates"));
+    CHECK(mentions(test::refusal(head + "\n4 2 0\n" + body, "off"),
+                   '"' + head + "\" is not supported: positions must have three coordinates"));
 }
 
 TEST_CASE("off_colours_before_normals_are_integers") {
@@ -80,7 +80,7 @@ TEST_CASE("off_colours_before_normals_are_integers") {
   CHECK(r.attributes->normals[1] == Vec3{0, 0.6, 0.8});
   CHECK(r.attributes->colors[2] == Color{0, 0, 1, 1});
   CHECK(test::written_again(r, r.surface.positions) == text);
-  CHECK(holds(test::written_again(r, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}), "0 0 0 0 0 1 255 0 -1 0 \n"));
+  CHECK(mentions(test::written_again(r, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}), "0 0 0 0 0 1 255 0 -1 0 \n"));
 }
 
 TEST_CASE("off_faces_may_continue_on_the_next_line_and_colours_end_with_theirs") {
@@ -94,7 +94,7 @@ TEST_CASE("off_faces_may_continue_on_the_next_line_and_colours_end_with_theirs")
     CHECK(r.attributes->polygon_colors ==
           std::vector<Color>{Material{}.base_color, {1, 0, 0, 1}, Material{}.base_color});
     CHECK(test::written_again(r, r.surface.positions) == text);
-    CHECK(holds(test::written_again(r, {{0, 0, 0}, {1, 0, 0}, {7, 8, 9}, {0, 1, 0}}),
-                "7 8 9\n0 1 0\n" + faces));
+    CHECK(mentions(test::written_again(r, {{0, 0, 0}, {1, 0, 0}, {7, 8, 9}, {0, 1, 0}}),
+                   "7 8 9\n0 1 0\n" + faces));
   }
 }

@@ -10,7 +10,7 @@
 using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;
-using viete::test::holds;
+using viete::test::mentions;
 
 namespace {
 
@@ -212,7 +212,7 @@ TEST_CASE("ply_integer_positions_stay_integers") {
       "ply\nformat ascii 1.0\nelement vertex 2\nproperty int x\nproperty int y\nproperty int "
       "z\nend_header\n1 2 3\n100 5 6\n";
   const ReadResult read = test::read_kept(text, "ply");
-  CHECK(holds(test::written_again(read, {{1.4, 2, 3}, {100, 5.6, 6}}), "end_header\n1 2 3\n100 6 6\n"));
+  CHECK(mentions(test::written_again(read, {{1.4, 2, 3}, {100, 5.6, 6}}), "end_header\n1 2 3\n100 6 6\n"));
   CHECK_THROWS_AS(test::written_again(read, {{3e9, 2, 3}, {100, 5.6, 6}}), base::Error);
 }
 
@@ -266,10 +266,10 @@ TEST_CASE("stl_text_keeps_solids_and_the_form_of_numbers") {
   auto moved = read.surface.positions;
   for (std::size_t v = 0; v < 3; ++v) moved[v] = {moved[v][0], -moved[v][2], moved[v][1]};
   const std::string written = test::written_again(read, moved);
-  CHECK(holds(written,
-              "solid left one\n facet normal 0.000000e+00 -1.000000e+00 0.000000e+00\n  outer loop\n"
-              "   vertex 0.000000e+00 0.000000e+00 0.000000e+00\n"));
-  CHECK(holds(written, "   vertex 0.000000e+00 0.000000e+00 1.000000e+00\n  endloop\n"));
+  CHECK(mentions(written,
+                 "solid left one\n facet normal 0.000000e+00 -1.000000e+00 0.000000e+00\n  outer loop\n"
+                 "   vertex 0.000000e+00 0.000000e+00 0.000000e+00\n"));
+  CHECK(mentions(written, "   vertex 0.000000e+00 0.000000e+00 1.000000e+00\n  endloop\n"));
   CHECK(written.substr(written.find("endsolid")) == text.substr(text.find("endsolid")));
 }
 

@@ -117,10 +117,10 @@ TEST_CASE("truncated_and_hostile_caches_are_rejected_before_allocation") {
     for (const std::size_t at : counts) put_cache_word(both, at, {0x7F, 0x7F, 0x7F, 0x7F});
     CHECK(cache_refusal(both) != "");
   }
-  CHECK(test::holds(cache_refusal(test::file_bytes(folder / "a.pc2").substr(0, 60)),
-                    "the file is truncated: it contains 1 of 3 frames of 2 points"));
-  CHECK(test::holds(cache_refusal("version https://git-lfs.github.com/spec/v1\noid"), "Git LFS pointer"));
-  CHECK(test::holds(cache_refusal("v 1 2 3\nv 4 5 6\n"), "check that it is the right file"));
+  CHECK(test::mentions(cache_refusal(test::file_bytes(folder / "a.pc2").substr(0, 60)),
+                       "the file is truncated: it contains 1 of 3 frames of 2 points"));
+  CHECK(test::mentions(cache_refusal("version https://git-lfs.github.com/spec/v1\noid"), "Git LFS pointer"));
+  CHECK(test::mentions(cache_refusal("v 1 2 3\nv 4 5 6\n"), "check that it is the right file"));
   CHECK_THROWS_AS(PointCache(folder / "none.pc2"), base::Error);
   CHECK_THROWS_AS(PointCache(folder.path()), base::Error);
 }
@@ -142,7 +142,7 @@ TEST_CASE("non_finite_numbers_are_reported_by_frame_and_point") {
   write_cache(folder / "a.mdd", cache_head(PointCacheFormat::mdd, 3));
   bytes = test::file_bytes(folder / "a.mdd");
   put_cache_word(bytes, 12, {0x7F, 0xC0, 0, 0});
-  CHECK(test::holds(cache_refusal(bytes), "frame 1: the time is not finite"));
+  CHECK(test::mentions(cache_refusal(bytes), "frame 1: the time is not finite"));
 }
 
 TEST_CASE("failed_cache_write_keeps_the_old_file") {

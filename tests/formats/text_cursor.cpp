@@ -104,8 +104,8 @@ TEST_CASE("malformed_numbers_get_specific_advice") {
                                                        {"abc", "repair or export"}};
   for (const auto& [word, advice] : words) {
     const std::string text = test::refusal("v 0 0 " + std::string(word) + "\n", "obj");
-    CHECK_MESSAGE(test::holds(text, "is not a number"), text);
-    CHECK_MESSAGE(test::holds(text, advice), text);
+    CHECK_MESSAGE(test::mentions(text, "is not a number"), text);
+    CHECK_MESSAGE(test::mentions(text, advice), text);
   }
   CHECK(test::read_text("v +3.1e+2 -3.1E-2 .5\n", "obj").surface.positions[0] == Point{310, -0.031, 0.5});
 }

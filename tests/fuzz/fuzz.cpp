@@ -40,7 +40,7 @@ void check_materials(std::string_view bytes) {
 void check_point_cache(std::string_view bytes) {
   const std::size_t size = bytes.size();
   try {
-    const formats::PointCache cache("fuzz", bytes);
+    const formats::PointCache cache("fuzz", std::string(bytes));
     const formats::PointCacheHead& head = cache.head();
     require(head.points > 0 && head.frames > 0);
     require(head.points <= size && head.frames <= size && 12 * head.points * head.frames <= size);

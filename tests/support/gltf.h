@@ -38,6 +38,8 @@ struct GltfParts {
     return json["accessors"].size() - 1;
   }
 
+  GltfJson& primitive() { return json["meshes"][0]["primitives"][0]; }
+
   std::string text() const {
     GltfJson embedded = json;
     embedded["buffers"] = {{{"byteLength", bytes.size()},

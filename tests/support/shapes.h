@@ -23,12 +23,9 @@
 #include "mesh/triangulation.h"
 #include "support/folder.h"
 #include "support/random.h"
+#include "support/text.h"
 
 namespace viete::test {
-
-inline bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 inline std::string repeated(const std::string& text, int times) {
   std::string all;
@@ -125,14 +122,19 @@ inline Surface moved(Surface s, double scale, double offset = 0) {
   return s;
 }
 
+/// Returns the positions, with by * x^2 added to z.
+inline std::vector<Point> raised(const Surface& s, double by) {
+  std::vector<Point> posed = s.positions;
+  for (Point& p : posed) p[2] += by * p[0] * p[0];
+  return posed;
+}
+
 /// Returns the bytes of a file with this surface.
 inline std::string bytes_by(std::string_view extension, const Surface& s,
                             const std::vector<std::string>& comments = {}) {
-  std::string all;
-  formats::TextWriter out([&](std::string_view portion) { all += portion; });
-  formats::format_by_extension(extension)->write({s, s.positions, comments}, out);
-  out.finish();
-  return all;
+  return formats::written_text([&](formats::TextWriter& out) {
+    formats::format_by_extension(extension)->write({s, s.positions, comments}, out);
+  });
 }
 
 inline formats::ReadResult read_text(const std::string& bytes, const std::string& extension) {
@@ -155,12 +157,12 @@ inline formats::ReadResult read_kept(const std::string& bytes, const std::string
 /// Writes the file again, with new positions. Returns the bytes.
 inline std::string written_again(const formats::ReadResult& read, const std::vector<Point>& positions,
                                  formats::Digits digits = {}) {
-  std::string all;
-  formats::TextWriter out([&](std::string_view portion) { all += portion; }, nullptr, digits);
   REQUIRE(read.original);
-  read.original->write({read.surface, positions, {}}, out);
-  out.finish();
-  return all;
+  return formats::written_text(
+      [&](formats::TextWriter& out) {
+        read.original->write({read.surface, positions, {}}, out);
+      },
+      digits);
 }
 
 /// Reads the bytes. Returns the message of the error, or an empty text without an error.
@@ -180,7 +182,7 @@ inline void check_refusals(const std::string& extension,
                            const std::vector<std::pair<std::string, std::string>>& files) {
   for (const auto& [bytes, said] : files) {
     const std::string found = refusal(bytes, extension);
-    CHECK_MESSAGE(holds(found, said), found);
+    CHECK_MESSAGE(mentions(found, said), found);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "weights/surface_proxy.h"
 
+#include "base/os.h"
 #include "deform/bound.h"
 #include "support/shapes.h"
 #include "support/skip.h"
@@ -213,7 +214,7 @@ TEST_CASE("binding_by_a_proxy_reports_its_progress_and_can_be_cancelled") {
 }
 
 TEST_CASE("a_model_too_large_for_memory_is_refused_before_its_weights_are_solved") {
-  if (!base::free_memory()) return;
+  if (!base::os::free_memory()) return;
   base::WorkerPool pool(1);
   mesh::Surface model = test::torus(60, 20);
   model.positions.resize(4'000'000, model.positions[0]);
