@@ -3,7 +3,6 @@
 #include <numeric>
 
 #include "document/elements.h"
-#include "document/record.h"
 #include "interact/grip.h"
 
 namespace viete::interact {

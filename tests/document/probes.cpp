@@ -1,6 +1,6 @@
 #include "document/probes.h"
 
-#include "interact/placing.h"
+#include "interact/transform_drag.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/files.h"
@@ -118,7 +118,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   p.add({1, 0, 0});
   p.add({0, 1, 0});
   p.select({0});
-  p.w.view.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
+  p.w.view.camera.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
   frame_all(p.w, false);
   p.probe().pose.move = {0, 0.3, 0};
   CHECK(gizmo_of(p.w));
@@ -227,20 +227,20 @@ TEST_CASE("removing_the_last_probe_is_an_unsaved_edit") {
 
 TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
   Probed p(false);
-  p.w.view.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
+  p.w.view.camera.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
   frame_all(p.w, false);
   CHECK_FALSE(shows_selectable(p.w));
   p.add({0.9, 0.9, 0.9});
   p.add({-0.9, -0.9, 0.9});
   CHECK(shows_selectable(p.w));
   p.probe().pose.move = {0.2, 0, 0};
-  const Projector project(p.document().space(), p.w.view.camera, p.w.view.viewport);
+  const Projector project(p.document().space(), p.w.view.camera);
   const glm::vec2 at(*project(probe_center(p.document(), 0)));
-  const auto pick = pick_element(p.document(), p.w.view.camera, p.w.view.viewport, at);
+  const auto pick = pick_element(p.document(), p.w.view.camera, at);
   REQUIRE(pick);
   CHECK(pick->index == 0);
-  CHECK_FALSE(pick_element(p.document(), p.w.view.camera, p.w.view.viewport, at + glm::vec2(30, 0)));
-  CHECK(pick_elements_in_box(p.document(), p.w.view.camera, p.w.view.viewport, {0, 0}, {1000, 800}) ==
+  CHECK_FALSE(pick_element(p.document(), p.w.view.camera, at + glm::vec2(30, 0)));
+  CHECK(pick_elements_in_box(p.document(), p.w.view.camera, {0, 0}, {1000, 800}) ==
         std::vector<std::uint32_t>{0, 1});
   CHECK(test::run_command(p.w, "select_all"));
   CHECK(p.document().selection().size() == 2);

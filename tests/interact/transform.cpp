@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "interact/placing.h"
+#include "interact/transform_drag.h"
 #include "pose/cage_state.h"
 #include "support/cube.h"
 #include "support/edits.h"

@@ -105,7 +105,7 @@ TEST_CASE("no_key_of_any_keymap_passes_through_a_dialog") {
 
 TEST_CASE("no_button_passes_through_a_dialog") {
   Dialogs d;
-  const glm::vec2 column = d.place_of("keep_pose"), view = d.workspace().view.viewport.origin + 4.0f;
+  const glm::vec2 column = d.place_of("keep_pose"), view = d.workspace().view.camera.viewport.origin + 4.0f;
   for (const char* dialog : dialogs) {
     d.open(dialog);
     const std::string before = unlocked_state(d);

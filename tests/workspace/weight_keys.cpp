@@ -1,6 +1,4 @@
 // Keys of the weights of named poses: their evaluation, their edits, and the sliders.
-#include <cmath>
-#include <functional>
 
 #include "document/cage_editing.h"
 #include "document/edit.h"
@@ -13,7 +11,6 @@
 #include "support/open.h"
 #include "support/posed_cube.h"
 #include "workspace/playing.h"
-#include "workspace/time_gestures.h"
 
 using namespace viete;
 using namespace viete::document;

@@ -1,4 +1,4 @@
-#include "workspace/menus.h"
+#include "workspace/command_tables.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "base/file_bytes.h"
-#include "workspace/command_tables.h"
 
 namespace viete::workspace {
 
