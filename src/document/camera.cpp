@@ -191,12 +191,7 @@ void Camera::frame(std::span<const glm::vec3> points, bool eased, float covered)
   constexpr float margin = 1.14f, smallest = 0.15f;
   Camera goal = *this;
   if (moving()) goal.set_pose(goal_);
-  glm::vec3 low = points[0], high = points[0];
-  for (const auto& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const glm::vec3 middle = 0.5f * (low + high);
+  const glm::vec3 middle = center_of(points);
   const float half_field = std::tan(0.5f * vertical_field);
   const glm::vec2 tangent =
       half_field * (viewport.seen() - glm::vec2(0, covered)) / viewport.window.y / margin;
@@ -228,6 +223,15 @@ bool Camera::animate(float seconds) {
   const float t = 1 - remaining_ / ease_seconds;
   current_ = mix(start_, goal_, t * t * (3 - 2 * t));
   return true;
+}
+
+glm::vec3 center_of(std::span<const glm::vec3> points) {
+  glm::vec3 low = points[0], high = points[0];
+  for (const auto& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return 0.5f * (low + high);
 }
 
 }  // namespace viete::document

@@ -104,4 +104,7 @@ private:
   float remaining_ = 0;
 };
 
+/// Returns the center of the bounding box of the points. There must be a point.
+glm::vec3 center_of(std::span<const glm::vec3> points);
+
 }  // namespace viete::document

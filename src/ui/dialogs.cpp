@@ -14,6 +14,11 @@ namespace viete::ui {
 
 namespace {
 
+void keymap_choice(const Context& ui) {
+  command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
+                 static_cast<std::size_t>(ui.workspace.preferences.keymap.preset()));
+}
+
 constexpr float width = 520, label_width = 150;
 
 // Returns the index of the chosen entry, if the user chooses one.
@@ -84,8 +89,7 @@ void preferences_dialog(const Context& ui) {
   if (!dialog) return;
   scale_setting(ui);
   row_label("Keymap", label_width);
-  command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
-                 static_cast<std::size_t>(w.preferences.keymap.preset()));
+  keymap_choice(ui);
   motion_setting(ui);
   row_label("Autosave", label_width);
   checkbox(ui, "Keep unsaved edits for recovery", "preferences/autosave", w.preferences.autosave,
@@ -343,8 +347,7 @@ void key_list(const Context& ui) {
                        .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.window.y - 80)}},
                       dialog_flags, &open);
   if (!dialog) return close_keys(w);
-  command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
-                 static_cast<std::size_t>(w.preferences.keymap.preset()));
+  keymap_choice(ui);
   search_field(ui, "keys_text", w.panels.key_list.typed, w.panels.key_list.appearing);
   ImGui::BeginChild("rows", {0, -(ImGui::GetFrameHeight() + 8)});
   key_rows(ui);

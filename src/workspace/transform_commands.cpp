@@ -5,7 +5,7 @@
 #include "document/edit.h"
 #include "document/elements.h"
 #include "document/probes.h"
-#include "interact/mirror_edit.h"
+#include "interact/grip.h"
 #include "workspace/command_tables.h"
 #include "workspace/pointer.h"
 

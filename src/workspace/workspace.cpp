@@ -56,12 +56,7 @@ std::vector<mesh::Point> around_probes(const document::Document& document) {
 
 void widen(std::vector<glm::vec3>& points) {
   constexpr float least = 0.12F;  // in view units: the model's diagonal is 2
-  glm::vec3 low = points[0], high = points[0];
-  for (const auto& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const glm::vec3 middle = 0.5F * (low + high);
+  const glm::vec3 middle = document::center_of(points);
   for (int k = 0; k < 3; ++k) {
     glm::vec3 offset(0);
     offset[k] = least;
