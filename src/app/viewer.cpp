@@ -15,7 +15,6 @@
 #include "ui/panels.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
-#include "workspace/workspace.h"
 
 namespace viete::app {
 

@@ -6,7 +6,6 @@
 
 #include "document/elements.h"
 #include "workspace/pointer.h"
-#include "workspace/workspace.h"
 
 namespace viete::app {
 

@@ -1,6 +1,5 @@
 #include "document/timeline.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

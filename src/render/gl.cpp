@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
-#include <string_view>
 
 #include "base/error.h"
 #include "base/text.h"

@@ -4,7 +4,6 @@
 
 #include "ui/overlay_painter.h"
 #include "ui/widgets.h"
-#include "workspace/command.h"
 #include "workspace/preferences.h"
 
 namespace viete::ui {

@@ -1,6 +1,5 @@
 #include "workspace/command_tables.h"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <sstream>

@@ -9,7 +9,6 @@
 #include "document/brush.h"
 #include "document/camera.h"
 #include "document/document.h"
-#include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "files/animation_import.h"
@@ -19,7 +18,6 @@
 #include "pose/pose_io.h"
 #include "workspace/playing.h"
 #include "workspace/time_view.h"
-#include "workspace/workspace.h"
 
 namespace viete::workspace {
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "document/edit.h"
 #include "document/elements.h"
 #include "document/probes.h"
 #include "interact/grip.h"

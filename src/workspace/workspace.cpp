@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "document/checks.h"
 #include "document/elements.h"
-#include "document/probes.h"
 #include "pose/deformer.h"
 
 namespace viete::workspace {

@@ -1,5 +1,4 @@
 // Makes a cage in the window: button, sliders, undo, posing and saving.
-#include "document/edit.h"
 #include "formats/write.h"
 #include "mesh/winding_number.h"
 #include "program/driver.h"

@@ -18,7 +18,6 @@
 #include "program/no_pixels.h"
 #include "support/distance.h"
 #include "support/user_input.h"
-#include "ui/imgui_bridge.h"
 
 namespace viete::test {
 

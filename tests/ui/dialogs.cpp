@@ -1,5 +1,4 @@
 // Dialogs get all keys and mouse buttons while they are open.
-#include "document/edit.h"
 #include "document/time_edit.h"
 #include "ui/panel_driver.h"
 #include "ui/widgets.h"
