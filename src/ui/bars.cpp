@@ -179,8 +179,8 @@ void context_menu(const Context& ui) {
 namespace {
 
 std::string hovered_text(const document::Selection& selection, std::uint32_t element, bool crowded) {
-  std::string name = document::element_name(selection.kind()) + ' ' + std::to_string(element);
-  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  const std::string name =
+      capitalised(document::element_name(selection.kind()) + ' ' + std::to_string(element));
   const bool first_click =
       (crowded || selection.kind() == document::ElementKind::face) && !selection.contains(element);
   return name + (first_click ? ":  click selects, drag draws a box" : ":  click selects, drag moves");
@@ -263,9 +263,7 @@ std::string mouse_text(const workspace::Workspace& w) {
     return "Drag a probe to move it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
     return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);
-  std::string words = looking_words(keymap);
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
+  return capitalised(looking_words(keymap));
 }
 
 void status_bar(const Context& ui) {

@@ -202,10 +202,6 @@ float legend(const Context& ui, ImVec2 corner, const workspace::FieldView& shown
   return height;
 }
 
-}  // namespace
-
-namespace {
-
 // True if a legend fits beside the tools and covers only the lowest part of a view.
 bool fits(const Size& size, const glm::vec2& room) {
   constexpr float gap = 24;

@@ -65,10 +65,6 @@ std::optional<std::string> text_field(const Context& ui, const std::string& name
   return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
 }
 
-}  // namespace
-
-namespace {
-
 constexpr int placed_styles = 4;  // popped after Begin(): menus and tooltips have the usual style
 
 // Returns the nearest place at which a window of this size is inside the screen. A size of 0 is unknown.
