@@ -201,14 +201,13 @@ void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
 
 ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::size_t view) const {
   ViewDrawing::Part part;
-  const workspace::Pane pane = workspace::pane_of(w.view.split, view);
-  const document::Viewport& v = w.view.camera.viewport;
-  part.low = (v.origin + pane.at * v.size) / v.window;
-  part.high = (v.origin + (pane.at + pane.size) * v.size) / v.window;
+  const document::Viewport v = workspace::viewport_of(w.view.split, w.view.camera.viewport, view);
+  part.low = v.low() / v.window;
+  part.high = v.high() / v.window;
   document::Camera camera = w.view.camera;
   if (const auto pose = workspace::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space());
-  camera.viewport = workspace::viewport_of(w.view.split, v, view);
+  camera.viewport = v;
   part.projection = glm::dmat4(camera.projection());
   part.surface.wireframe = w.view.options.wireframe ? 0.3f : 0.0f;
   // Software rendering omits the back faces of a closed surface. This halves the time.

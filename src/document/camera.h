@@ -18,6 +18,9 @@ struct Viewport {
 
   friend bool operator==(const Viewport&, const Viewport&) = default;
   glm::vec2 seen() const { return pane_size * size; }
+  /// The top left and the bottom right of the pane.
+  glm::vec2 low() const { return origin + pane * size; }
+  glm::vec2 high() const { return origin + (pane + pane_size) * size; }
   glm::vec2 middle() const { return origin + (pane + 0.5f * pane_size) * size; }
 };
 

@@ -219,12 +219,11 @@ float map_legend(const Context& ui, float bottom) {
   for (std::size_t view = 0; view < split.count(); ++view) {
     const analysis::Field field = workspace::shown_field(w, view);
     if (field == analysis::Field::none) continue;
-    const workspace::Pane pane = workspace::pane_of(split, view);
-    const glm::vec2 corner =
-        w.view.camera.viewport.origin + (pane.at + pane.size) * w.view.camera.viewport.size;
+    const document::Viewport v = workspace::viewport_of(split, w.view.camera.viewport, view);
+    const glm::vec2 corner = v.high();
     constexpr float tools = 60;
-    const float beside = pane.at.x == 0 && w.view.options.panels ? tools : 0;
-    const glm::vec2 room = pane.size * w.view.camera.viewport.size - glm::vec2(beside, 0);
+    const float beside = v.pane.x == 0 && w.view.options.panels ? tools : 0;
+    const glm::vec2 room = v.seen() - glm::vec2(beside, 0);
     if (!fits(tiny, room)) continue;
     const Size& size = !split.on() && fits(whole, room) ? whole : fits(small, room) ? small : tiny;
     const float height = legend(ui, vec(corner), split.views[view].shown, field,

@@ -326,13 +326,11 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool
   draw.PopClipRect();
 }
 
-void frame(const Context& ui, const workspace::Pane& pane) {
-  const document::Viewport& v = ui.workspace.view.camera.viewport;
-  const glm::vec2 low = glm::round(v.origin + pane.at * v.size);
-  const glm::vec2 high = glm::round(v.origin + (pane.at + pane.size) * v.size);
+void frame(const Context& ui, const document::Viewport& v) {
+  const glm::vec2 low = glm::round(v.low()), high = glm::round(v.high());
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  if (pane.at.x > 0) draw.AddLine({low.x, low.y}, {low.x, high.y}, ui.colors.line, 1.5f);
-  if (pane.at.y > 0) draw.AddLine({low.x, low.y}, {high.x, low.y}, ui.colors.line, 1.5f);
+  if (v.pane.x > 0) draw.AddLine({low.x, low.y}, {low.x, high.y}, ui.colors.line, 1.5f);
+  if (v.pane.y > 0) draw.AddLine({low.x, low.y}, {high.x, low.y}, ui.colors.line, 1.5f);
 }
 
 }  // namespace
@@ -341,17 +339,16 @@ void split_overlay(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   if (!w.view.split.on() || !w.document.model().surface) return;
   for (std::size_t view = 0; view < w.view.split.count(); ++view) {
-    const workspace::Pane pane = workspace::pane_of(w.view.split, view);
-    frame(ui, pane);
-    const float beside = pane.at.x == 0 && w.view.options.panels ? tools_room : 0;
-    const bool by_axes = w.view.options.axes && pane.at.y == 0 && pane.at.x + pane.size.x > 0.99f;
-    const float room = pane.size.x * w.view.camera.viewport.size.x - beside;
+    const document::Viewport v = workspace::viewport_of(w.view.split, w.view.camera.viewport, view);
+    frame(ui, v);
+    const float beside = v.pane.x == 0 && w.view.options.panels ? tools_room : 0;
+    const bool by_axes = w.view.options.axes && v.pane.y == 0 && v.pane.x + v.pane_size.x > 0.99f;
+    const float room = v.seen().x - beside;
     const bool at_bottom = by_axes && room - axes_room < least_room;
-    const glm::vec2 corner = pane.at + glm::vec2(0, at_bottom ? pane.size.y : 0);
+    const glm::vec2 corner(v.low().x, at_bottom ? v.high().y : v.low().y);
     const bool over_legend = at_bottom && workspace::shown_field(w, view) != analysis::Field::none;
     const glm::vec2 offset(beside, over_legend ? -tiny_legend_height : 0);
-    caption(ui, view, w.view.camera.viewport.origin + corner * w.view.camera.viewport.size + offset,
-            room - (by_axes && !at_bottom ? axes_room : 0), at_bottom);
+    caption(ui, view, corner + offset, room - (by_axes && !at_bottom ? axes_room : 0), at_bottom);
   }
 }
 

@@ -285,18 +285,12 @@ document::SideViews side_views(const Workspace& w) {
   return sides;
 }
 
-Pane pane_of(const Split& split, std::size_t view) {
+document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view) {
   const glm::ivec2 grid = split.count() == 4 ? glm::ivec2(2, 2) : glm::ivec2(int(split.count()), 1);
   const int at = static_cast<int>(view);
-  const glm::vec2 size = 1.0f / glm::vec2(grid);
-  return {size * glm::vec2(at % grid.x, at / grid.x), size};
-}
-
-document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view) {
   document::Viewport seen = whole;
-  const Pane pane = pane_of(split, view);
-  seen.pane = pane.at;
-  seen.pane_size = pane.size;
+  seen.pane_size = 1.0f / glm::vec2(grid);
+  seen.pane = seen.pane_size * glm::vec2(at % grid.x, at / grid.x);
   return seen;
 }
 
@@ -314,8 +308,8 @@ void put_side_views(Split& split, const document::SideViews& sides) {
 std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place) {
   const glm::vec2 at = (place - whole.origin) / whole.size;
   for (std::size_t view = 0; view < split.count(); ++view) {
-    const Pane pane = pane_of(split, view);
-    if (glm::all(glm::greaterThanEqual(at, pane.at)) && glm::all(glm::lessThan(at, pane.at + pane.size)))
+    const document::Viewport v = viewport_of(split, whole, view);
+    if (glm::all(glm::greaterThanEqual(at, v.pane)) && glm::all(glm::lessThan(at, v.pane + v.pane_size)))
       return view;
   }
   return split.active;

@@ -71,11 +71,7 @@ struct Split {
   std::span<const SplitView> sides() const { return std::span(views).subspan(1); }
 };
 
-/// Position (from the top left) and size of a view, as fractions of the whole.
-struct Pane {
-  glm::vec2 at{0, 0}, size{1, 1};
-};
-Pane pane_of(const Split& split, std::size_t view);
+/// Returns `whole` with the pane of the view.
 document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view);
 /// The view at a position in the window.
 std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place);
