@@ -5,7 +5,6 @@
 
 #include "base/text.h"
 #include "sym3/eigenvalues.h"
-#include "sym3/exp.h"
 
 namespace viete::analysis {
 

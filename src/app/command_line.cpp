@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <optional>
 #include <utility>
 
 #include "app/assets.h"
@@ -17,7 +16,6 @@
 #include "base/background.h"
 #include "base/clock.h"
 #include "base/error.h"
-#include "base/os.h"
 #include "base/worker_pool.h"
 #include "sym3/kernel.h"
 

@@ -64,16 +64,7 @@ fs::path recovery_folder(const fs::path& state) {
   return state.empty() ? state : state / "recovery";
 }
 
-}  // namespace
-
-void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
-                   std::size_t moving) {
-  const auto& files = request.files;
-  loader.start([request, current = current.without_history(),
-                moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
-               "Reading " + (files.empty() ? "" : files.front().filename().string()));
-}
-
+// Draws and writes pictures in a child process. Returns notes for the user, one line each.
 std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
   const fs::path session = scratch.path() / "animation.viete";
@@ -84,6 +75,16 @@ std::vector<std::string> write_pictures_in_child(const PictureExport& what, base
   if (what.panels) words.push_back("--panels");
   if (what.replaces) words.push_back("--force");
   return run_child(words, progress);
+}
+
+}  // namespace
+
+void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
+                   std::size_t moving) {
+  const auto& files = request.files;
+  loader.start([request, current = current.without_history(),
+                moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
+               "Reading " + (files.empty() ? "" : files.front().filename().string()));
 }
 
 void Exporter::add(files::Export what, std::vector<std::string> shown_notes) {

@@ -48,10 +48,6 @@ struct PictureExport {
   bool replaces = false;  ///< replaces existing pictures
 };
 
-/// Draws and writes pictures in a child process. Returns notes for the user, one line each. Throws
-/// base::Error with the message of the child process, and base::Cancelled. Thread-safe.
-std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress);
-
 /// Runs exports one after another. The destructor cancels unfinished exports. Each file is written completely
 /// or not at all. Not thread-safe.
 class Exporter {

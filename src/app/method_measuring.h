@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "app/view_model.h"
 #include "base/background.h"

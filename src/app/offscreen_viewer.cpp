@@ -10,8 +10,8 @@
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/pose_edit.h"
-#include "workspace/apply_opened.h"
 #include "workspace/playing.h"
+#include "workspace/saving.h"
 
 namespace viete::app {
 
@@ -80,7 +80,7 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   w.document.put_deformer(views[0].deformer);
   w.document.put_method(views[0].method);
   workspace::put_side_views(w.view.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
-  w.view.viewport = workspace::viewport_of(w.view.split, w.view.viewport, 0);
+  w.view.camera.viewport = workspace::viewport_of(w.view.split, w.view.camera.viewport, 0);
 }
 
 // Sets the camera from --camera, --look or the session.

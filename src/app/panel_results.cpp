@@ -4,6 +4,7 @@
 
 #include "base/os.h"
 #include "deform/vertex_sample.h"
+#include "pose/maps.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"
 
@@ -91,11 +92,8 @@ workspace::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum
   view.has_logs = sum.has_logs;
   sym3::Sym3<double> partial{};
   for (const auto& term : sum.terms) {
-    const double w = term.weight;
-    const auto& x = term.stretch;
-    partial = {partial.xx + w * x.xx, partial.xy + w * x.xy, partial.xz + w * x.xz,
-               partial.yy + w * x.yy, partial.yz + w * x.yz, partial.zz + w * x.zz};
-    view.terms.push_back({term.handle, w, term.at, sym3::eigenvalues(partial)});
+    partial = pose::plus(partial, term.weight, term.stretch);
+    view.terms.push_back({term.handle, term.weight, term.at, sym3::eigenvalues(partial)});
   }
   if (!sum.has_logs) return view;
   view.map = map_of(sum.stretch, sum.turn);

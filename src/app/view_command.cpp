@@ -13,7 +13,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "platform/window.h"
-#include "workspace/apply_opened.h"
 #include "workspace/command.h"
 #include "workspace/saving.h"
 

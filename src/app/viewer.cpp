@@ -13,10 +13,8 @@
 #include "document/cage_editing.h"
 #include "sym3/kernel.h"
 #include "ui/panels.h"
-#include "workspace/apply_opened.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
-#include "workspace/split.h"
 
 namespace viete::app {
 
@@ -103,7 +101,7 @@ void Viewer::place_viewport() {
   const document::Viewport whole =
       workspace::view_between(workspace_.preferences.layout, glm::vec2(options_.size), view.options.panels,
                               workspace_.panels.notice_height);
-  view.viewport = workspace::viewport_of(view.split, whole, view.split.active);
+  view.camera.viewport = workspace::viewport_of(view.split, whole, view.split.active);
 }
 
 // The frame, from input to picture. The activities after the picture keep and measure what it shows.
@@ -242,62 +240,43 @@ bool Viewer::scope_messages() {
 bool Viewer::grant_wishes() {
   workspace::Wishes& wishes = workspace_.jobs.wishes;
   const bool any = !wishes.empty();
-  while (!wishes.empty()) std::visit([this](const auto& wish) { grant(wish); }, wishes.take());
+  while (!wishes.empty()) grant(wishes.take());
   return any;
 }
 
-void Viewer::grant(const workspace::OpenFiles& wish) {
-  files_.open(workspace_, wish.request);
+void Viewer::grant(const workspace::Wish& wish) {
+  if (const auto* open = std::get_if<workspace::OpenFiles>(&wish)) files_.open(workspace_, open->request);
+  if (const auto* save = std::get_if<workspace::SaveFile>(&wish)) files_.save(workspace_, *save);
+  if (const auto* given = std::get_if<workspace::AnswerQuestion>(&wish))
+    files_.answer(workspace_, given->answer);
+  if (const auto* cancel = std::get_if<workspace::CancelWork>(&wish)) cancel_work(cancel->work);
+  if (const auto* manual = std::get_if<workspace::ShowManual>(&wish)) show_manual(manual->chapter);
+  if (std::holds_alternative<workspace::ShowReport>(wish)) report_.start();
+  if (std::holds_alternative<workspace::SaveScreenshot>(wish)) take_screenshot_ = true;
+  if (std::holds_alternative<workspace::FrameFinding>(wish)) workspace::frame_finding(workspace_);
+  if (std::holds_alternative<workspace::CloseProgram>(wish)) files_.close(workspace_);
 }
 
-void Viewer::grant(const workspace::SaveFile& wish) {
-  files_.save(workspace_, wish);
-}
-
-void Viewer::grant(const workspace::AnswerQuestion& wish) {
-  files_.answer(workspace_, wish.answer);
-}
-
-void Viewer::grant(const workspace::ShowReport&) {
-  report_.start();
-}
-
-void Viewer::grant(const workspace::SaveScreenshot&) {
-  take_screenshot_ = true;
-}
-
-void Viewer::grant(const workspace::FrameFinding&) {
-  workspace::frame_finding(workspace_);
-}
-
-void Viewer::grant(const workspace::CloseProgram&) {
-  files_.close(workspace_);
-}
-
-void Viewer::grant(const workspace::ShowManual& wish) {
+void Viewer::show_manual(const std::string& chapter) {
   try {
-    base::os::open_page(manual_page(wish.chapter));
+    base::os::open_page(manual_page(chapter));
     workspace_.messages.succeeded("manual");
   } catch (const base::Error& error) {
     workspace_.messages.error(base::message_of(error), {"manual"});
   }
 }
 
-void Viewer::grant(const workspace::CancelWork& wish) {
+void Viewer::cancel_work(workspace::CancelWork::Work work) {
   using Work = workspace::CancelWork::Work;
-  switch (wish.work) {
-    case Work::exporting: return files_.cancel_export();
-    case Work::report: return report_.cancel();
-    case Work::opening:
-      files_.cancel_opening();
-      cages_.stop(workspace_);
-      if (model_.binding())
-        model_.stop_binding(workspace_,
-                            model_.deformer() ? "Cancelled binding; nothing was changed."
-                                              : "Cancelled binding. It starts again when the pose changes.",
-                            workspace::Severity::info);
-      return;
-  }
+  if (work == Work::exporting) return files_.cancel_export();
+  if (work == Work::report) return report_.cancel();
+  files_.cancel_opening();
+  cages_.stop(workspace_);
+  if (model_.binding())
+    model_.stop_binding(workspace_,
+                        model_.deformer() ? "Cancelled binding; nothing was changed."
+                                          : "Cancelled binding. It starts again when the pose changes.",
+                        workspace::Severity::info);
 }
 
 // Gives each part of opened files to its owner.
@@ -445,7 +424,7 @@ void Viewer::enter_view_under_cursor() {
   if (!view.split.on() || pointer_.active() || view.camera.moving()) return;
   const ImVec2 at = ImGui::GetIO().MousePos;
   if (ImGui::IsMousePosValid(&at))
-    workspace::enter_view(workspace_, workspace::view_at(view.split, view.viewport, {at.x, at.y}));
+    workspace::enter_view(workspace_, workspace::view_at(view.split, view.camera.viewport, {at.x, at.y}));
 }
 
 void Viewer::upload() {
@@ -471,12 +450,13 @@ void Viewer::upload() {
     if (!(news || switched) || posed.vertices.empty()) continue;
     const deform::FrameDeformer& deformer = *(model_of(view).ran() ? model_of(view) : model_).deformer();
     if (const auto& splats = deformer.splats())
-      renderer_.set_splats(view, posed.vertices, posed.origin, splats->shapes(), splats->turns());
+      renderer_.changed_model(view).set_splats(posed.vertices, posed.origin, splats->shapes(),
+                                               splats->turns());
     else
-      renderer_.set_model(view, posed.vertices, posed.origin);
+      renderer_.changed_model(view).set_model(posed.vertices, posed.origin);
   }
   if (const deform::FrameDeformer* draft = model_.take_draft())
-    renderer_.set_draft(draft->vertices(), draft->origin());
+    renderer_.changed_model(0).set_draft(draft->vertices(), draft->origin());
   renderer_.set_colors(workspace_);
   times_.upload = watch.lap_ms();
 }

@@ -167,15 +167,9 @@ private:
   std::vector<Activity> list_of_activities();
   bool take_input();
   bool grant_wishes();
-  void grant(const workspace::OpenFiles& wish);
-  void grant(const workspace::SaveFile& wish);
-  void grant(const workspace::CancelWork& wish);
-  void grant(const workspace::AnswerQuestion& wish);
-  void grant(const workspace::ShowManual& wish);
-  void grant(const workspace::ShowReport& wish);
-  void grant(const workspace::SaveScreenshot& wish);
-  void grant(const workspace::FrameFinding& wish);
-  void grant(const workspace::CloseProgram& wish);
+  void grant(const workspace::Wish& wish);
+  void show_manual(const std::string& chapter);
+  void cancel_work(workspace::CancelWork::Work work);
   bool may_edit() const { return !pointer_.active(); }
   void take_opened_files();
   bool bind();

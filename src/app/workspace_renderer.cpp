@@ -6,7 +6,6 @@
 
 #include "document/elements.h"
 #include "workspace/pointer.h"
-#include "workspace/split.h"
 
 namespace viete::app {
 
@@ -161,12 +160,6 @@ void WorkspaceRenderer::set_rest(const document::Document& document, const Model
   ++content_;
 }
 
-void WorkspaceRenderer::set_model(std::size_t view, std::span<const pose::FrameVertex> vertices,
-                                  const mesh::Point& origin) {
-  models_[view]->set_model(vertices, origin);
-  ++content_;
-}
-
 void WorkspaceRenderer::set_cage(const workspace::Workspace& w) {
   const auto& positions = w.document.pose().positions;
   cage_faces_.set_positions(positions);
@@ -208,14 +201,14 @@ void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
 
 ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::size_t view) const {
   ViewDrawing::Part part;
-  const workspace::Pane pane = workspace::pane_of(w.view.split, view);
-  const document::Viewport& v = w.view.viewport;
-  part.low = (v.origin + pane.at * v.size) / v.window;
-  part.high = (v.origin + (pane.at + pane.size) * v.size) / v.window;
+  const document::Viewport v = workspace::viewport_of(w.view.split, w.view.camera.viewport, view);
+  part.low = v.low() / v.window;
+  part.high = v.high() / v.window;
   document::Camera camera = w.view.camera;
   if (const auto pose = workspace::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space());
-  part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.view.split, v, view)));
+  camera.viewport = v;
+  part.projection = glm::dmat4(camera.projection());
   part.surface.wireframe = w.view.options.wireframe ? 0.3f : 0.0f;
   // Software rendering omits the back faces of a closed surface. This halves the time.
   const auto& summary = w.document.model().summary;

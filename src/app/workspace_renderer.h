@@ -3,11 +3,9 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "app/model_layer.h"
-#include "pose/rows.h"
 #include "render/backdrop.h"
 #include "render/framebuffer.h"
 #include "render/mark_layers.h"
@@ -105,18 +103,10 @@ public:
   void set_rest(const document::Document& document, const ModelShading& shading);
   /// Sets the number of views. The models of new views are at rest.
   void set_views(std::size_t count, const document::Document& document, const ModelShading& shading);
-  /// Sets the deformed model of a view, relative to origin.
-  void set_model(std::size_t view, std::span<const pose::FrameVertex> vertices, const mesh::Point& origin);
-  /// Sets the deformed capture of a view, see ModelLayer::set_splats().
-  void set_splats(std::size_t view, std::span<const pose::FrameVertex> vertices, const mesh::Point& origin,
-                  std::span<const render::SplatShape> shapes, std::span<const render::SplatTurn> turns) {
-    models_[view]->set_splats(vertices, origin, shapes, turns);
+  /// Returns the model of a view, whose deformed vertices the caller then sets.
+  ModelLayer& changed_model(std::size_t view) {
     ++content_;
-  }
-  /// Sets the deformed draft of the first view's model, relative to origin.
-  void set_draft(std::span<const pose::FrameVertex> vertices, const mesh::Point& origin) {
-    models_[0]->set_draft(vertices, origin);
-    ++content_;
+    return *models_[view];
   }
   /// Updates the colours of the map or mask. Call before draw().
   void set_colors(const workspace::Workspace& workspace);

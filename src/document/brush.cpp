@@ -6,7 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "document/record.h"
 #include "mesh/drawing.h"
 
 namespace viete::document {

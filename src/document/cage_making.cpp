@@ -4,7 +4,6 @@
 
 #include "document/elements.h"
 #include "document/pose_edit.h"
-#include "document/record.h"
 #include "formats/format_table.h"
 
 namespace viete::document {

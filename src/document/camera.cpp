@@ -104,24 +104,24 @@ float Camera::depth(const glm::vec3& point) const {
   return glm::dot(point - eye(), forward());
 }
 
-glm::mat4 Camera::projection(const Viewport& v) const {
-  const float aspect = v.window.x / std::max(v.window.y, 1.0f);
+glm::mat4 Camera::projection() const {
+  const float aspect = viewport.window.x / std::max(viewport.window.y, 1.0f);
   const glm::mat4 lens = current_.orthographic ? orthographic_lens(current_.distance, aspect)
                                                : perspective_lens(current_.distance, aspect);
-  const glm::vec2 middle = v.middle() / v.window * 2.0f - 1.0f;
+  const glm::vec2 middle = viewport.middle() / viewport.window * 2.0f - 1.0f;
   return glm::translate(glm::mat4(1), {middle.x, -middle.y, 0}) * lens;
 }
 
-double Camera::per_pixel(double depth, const Viewport& v) const {
+double Camera::per_pixel(double depth) const {
   const double at = current_.orthographic ? current_.distance : depth;
-  return 2.0 * at * std::tan(0.5 * double(vertical_field)) / v.window.y;
+  return 2.0 * at * std::tan(0.5 * double(vertical_field)) / viewport.window.y;
 }
 
-Ray Camera::ray(const glm::vec2& cursor, const Viewport& v) const {
-  const glm::vec2 from_middle = cursor - v.middle();
+Ray Camera::ray(const glm::vec2& cursor) const {
+  const glm::vec2 from_middle = cursor - viewport.middle();
   if (current_.orthographic)
-    return {glm::dvec3(eye()) + plane_displacement(from_middle, 1, v), glm::dvec3(forward())};
-  return {glm::dvec3(eye()), glm::normalize(glm::dvec3(forward()) + plane_displacement(from_middle, 1, v))};
+    return {glm::dvec3(eye()) + plane_displacement(from_middle, 1), glm::dvec3(forward())};
+  return {glm::dvec3(eye()), glm::normalize(glm::dvec3(forward()) + plane_displacement(from_middle, 1))};
 }
 
 void Camera::set_orthographic(bool orthographic) {
@@ -132,8 +132,8 @@ void Camera::set_up(UpAxis up) {
   current_.up = goal_.up = start_.up = up;
 }
 
-glm::dvec3 Camera::plane_displacement(const glm::vec2& pixels, double depth, const Viewport& v) const {
-  const double k = per_pixel(depth, v);
+glm::dvec3 Camera::plane_displacement(const glm::vec2& pixels, double depth) const {
+  const double k = per_pixel(depth);
   return k * (double(pixels.x) * glm::dvec3(right()) - double(pixels.y) * glm::dvec3(up()));
 }
 
@@ -144,18 +144,18 @@ void Camera::orbit(const glm::vec2& pixels) {
   jump();
 }
 
-void Camera::pan(const glm::vec2& pixels, const Viewport& v) {
-  current_.target -= glm::vec3(plane_displacement(pixels, current_.distance, v));
+void Camera::pan(const glm::vec2& pixels) {
+  current_.target -= glm::vec3(plane_displacement(pixels, current_.distance));
   jump();
 }
 
-void Camera::zoom(float steps, const glm::vec2& cursor, const Viewport& v) {
+void Camera::zoom(float steps, const glm::vec2& cursor) {
   const float distance =
       std::clamp(current_.distance * std::pow(0.88f, steps), nearest_camera, farthest_camera);
-  const glm::vec2 from_middle = cursor - v.middle();
-  const glm::dvec3 before = plane_displacement(from_middle, current_.distance, v);
+  const glm::vec2 from_middle = cursor - viewport.middle();
+  const glm::dvec3 before = plane_displacement(from_middle, current_.distance);
   current_.distance = distance;
-  current_.target += glm::vec3(before - plane_displacement(from_middle, distance, v));
+  current_.target += glm::vec3(before - plane_displacement(from_middle, distance));
   jump();
 }
 
@@ -174,57 +174,29 @@ void Camera::center(const glm::vec3& target) {
 }
 
 void Camera::look(StandardView view) {
-  CameraPose goal = moving() ? goal_ : current_;
+  // Yaw and pitch in the order of StandardView.
+  constexpr float sides[][2] = {{0, 0},        {2 * half_pi, 0}, {half_pi, 0},
+                                {-half_pi, 0}, {0, half_pi},     {0, -half_pi}};
   const CameraPose home;
-  switch (view) {
-    case StandardView::front:
-      goal.yaw = 0;
-      goal.pitch = 0;
-      break;
-    case StandardView::back:
-      goal.yaw = 2 * half_pi;
-      goal.pitch = 0;
-      break;
-    case StandardView::right:
-      goal.yaw = half_pi;
-      goal.pitch = 0;
-      break;
-    case StandardView::left:
-      goal.yaw = -half_pi;
-      goal.pitch = 0;
-      break;
-    case StandardView::top:
-      goal.yaw = 0;
-      goal.pitch = half_pi;
-      break;
-    case StandardView::bottom:
-      goal.yaw = 0;
-      goal.pitch = -half_pi;
-      break;
-    case StandardView::home:
-      goal.yaw = home.yaw;
-      goal.pitch = home.pitch;
-      break;
-  }
+  CameraPose goal = destination();
+  const bool goes_home = view == StandardView::home;
+  goal.yaw = goes_home ? home.yaw : sides[static_cast<std::size_t>(view)][0];
+  goal.pitch = goes_home ? home.pitch : sides[static_cast<std::size_t>(view)][1];
   ease_to(goal);
 }
 
 // Centers the points in the area above the lowest `covered` pixels.
-void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
+void Camera::frame(std::span<const glm::vec3> points, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;
   Camera goal = *this;
   if (moving()) goal.set_pose(goal_);
-  glm::vec3 low = points[0], high = points[0];
-  for (const auto& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const glm::vec3 middle = 0.5f * (low + high);
+  const glm::vec3 middle = center_of(points);
   const float half_field = std::tan(0.5f * vertical_field);
-  const glm::vec2 tangent = half_field * (v.seen() - glm::vec2(0, covered)) / v.window.y / margin;
+  const glm::vec2 tangent =
+      half_field * (viewport.seen() - glm::vec2(0, covered)) / viewport.window.y / margin;
   // The slope of the view ray to the free area's center, which is above the pane's center.
-  const float raised = half_field * covered / v.window.y;
+  const float raised = half_field * covered / viewport.window.y;
   float distance = smallest / std::min(tangent.x, tangent.y);
   for (const auto& p : points) {
     const glm::vec3 d = p - middle;
@@ -251,6 +223,15 @@ bool Camera::animate(float seconds) {
   const float t = 1 - remaining_ / ease_seconds;
   current_ = mix(start_, goal_, t * t * (3 - 2 * t));
   return true;
+}
+
+glm::vec3 center_of(std::span<const glm::vec3> points) {
+  glm::vec3 low = points[0], high = points[0];
+  for (const auto& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return 0.5f * (low + high);
 }
 
 }  // namespace viete::document

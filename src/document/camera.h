@@ -18,6 +18,9 @@ struct Viewport {
 
   friend bool operator==(const Viewport&, const Viewport&) = default;
   glm::vec2 seen() const { return pane_size * size; }
+  /// The top left and the bottom right of the pane.
+  glm::vec2 low() const { return origin + pane * size; }
+  glm::vec2 high() const { return origin + (pane + pane_size) * size; }
   glm::vec2 middle() const { return origin + (pane + 0.5f * pane_size) * size; }
 };
 
@@ -55,6 +58,8 @@ class Camera {
 public:
   static constexpr float vertical_field = 0.55f;  ///< the vertical field of view, in radians
 
+  Viewport viewport;  ///< the part of the window that the camera fills
+
   const CameraPose& pose() const { return current_; }
   /// If an animation runs, returns its final pose, otherwise the current pose.
   const CameraPose& destination() const { return moving() ? goal_ : current_; }
@@ -66,31 +71,30 @@ public:
   glm::vec3 forward() const;
   glm::mat4 view() const;
   /// Returns the projection matrix. The target is in the center of the view's pane.
-  glm::mat4 projection(const Viewport& viewport) const;
+  glm::mat4 projection() const;
   /// Returns the view-space depth of a point, positive in front of the camera.
   float depth(const glm::vec3& point) const;
   /// Returns the number of view units per logical pixel. An orthographic view ignores the depth.
-  double per_pixel(double depth, const Viewport& viewport) const;
+  double per_pixel(double depth) const;
   /// Returns the ray under the cursor. The origin of the ray is in the view plane through the eye.
-  Ray ray(const glm::vec2& cursor, const Viewport& viewport) const;
+  Ray ray(const glm::vec2& cursor) const;
   /// Returns the displacement in the view plane that moves a point at this depth by `pixels` (right, down).
-  glm::dvec3 plane_displacement(const glm::vec2& pixels, double depth, const Viewport& viewport) const;
+  glm::dvec3 plane_displacement(const glm::vec2& pixels, double depth) const;
 
   void set_orthographic(bool orthographic);
   /// Changes the up axis, but not the yaw and pitch angles.
   void set_up(UpAxis up);
   void orbit(const glm::vec2& pixels);
-  void pan(const glm::vec2& pixels, const Viewport& viewport);
+  void pan(const glm::vec2& pixels);
   /// If `steps` is positive, zooms in. A point under the cursor, at the depth of the target, does not move.
-  void zoom(float steps, const glm::vec2& cursor, const Viewport& viewport);
+  void zoom(float steps, const glm::vec2& cursor);
 
   /// Animates the camera to a new target, without a change of direction and distance.
   void center(const glm::vec3& target);
   void look(StandardView view);
   /// Shows all points as large as possible in the view's pane, with a margin. A single point is shown like a
   /// small sphere. Keeps the lowest `covered` logical pixels of the pane free.
-  void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true,
-             float covered = 0);
+  void frame(std::span<const glm::vec3> points, bool eased = true, float covered = 0);
   /// Advances the animation. If no animation runs, returns false.
   bool animate(float seconds);
   bool moving() const { return remaining_ > 0; }
@@ -102,5 +106,8 @@ private:
   CameraPose current_, start_, goal_;
   float remaining_ = 0;
 };
+
+/// Returns the center of the bounding box of the points. There must be a point.
+glm::vec3 center_of(std::span<const glm::vec3> points);
 
 }  // namespace viete::document

@@ -3,7 +3,6 @@
 
 #include "document/document.h"
 #include "document/mirror.h"
-#include "document/record.h"
 
 namespace viete::document {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "document/record.h"
 #include "mesh/union_find.h"
 
 namespace viete::document {

@@ -5,12 +5,6 @@
 
 namespace viete::document {
 
-namespace {
-
-constexpr std::size_t memory_limit = 256u << 20;
-
-}  // namespace
-
 void History::record(std::string label, DocumentState before, EditStep step) {
   ++revision_;
   push(std::move(label), std::move(before), step);
@@ -21,6 +15,7 @@ void History::record_selection(DocumentState before) {
 }
 
 void History::push(std::string label, DocumentState before, EditStep step) {
+  constexpr std::size_t memory_limit = 256u << 20;
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // the memory of a cage per vertex, estimated
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
   // States with different cages do not share poses and keys. In this case, adds the memory of poses and keys.
@@ -39,7 +34,7 @@ void History::push(std::string label, DocumentState before, EditStep step) {
     const auto selection = std::ranges::find(undo_, EditKind::selection, &Entry::kind);
     undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
   }
-  undo_.push_back({std::move(label), std::move(before), step, recorded_});
+  undo_.push_back({std::move(label), std::move(before), step});
 }
 
 void History::file_replaced(const std::filesystem::path& file, const std::shared_ptr<const pose::Cage>& by) {
@@ -75,7 +70,7 @@ DocumentState History::step(std::vector<Entry>& from, std::vector<Entry>& to, Do
   ++revision_;
   Entry entry = std::move(from.back());
   from.pop_back();
-  to.push_back({entry.label, std::move(now), entry.step, entry.number});
+  to.push_back({entry.label, std::move(now), entry.step});
   return std::move(entry.state);
 }
 

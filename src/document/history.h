@@ -71,7 +71,6 @@ private:
     std::string label;
     DocumentState state;
     EditStep step;
-    unsigned long number;
 
     EditKind kind() const { return step.kind; }
   };

@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "document/record.h"
 
 namespace viete::document {
 

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "document/record.h"
 
 namespace viete::document {
 

@@ -1,6 +1,5 @@
 #include "document/timeline.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -189,6 +188,23 @@ std::optional<CameraPose> camera_at(const Timeline& timeline, double frame) {
   pose.yaw = static_cast<float>(yaw);
   pose.pitch = static_cast<float>(std::clamp(pitch, -std::numbers::pi / 2, std::numbers::pi / 2));
   return pose;
+}
+
+KeyPlaces key_places(const Timeline& timeline) {
+  KeyPlaces places;
+  for_each_track(timeline, [&](const auto& keys, const std::string& name) {
+    for (const auto& key : keys) places.emplace_back(key.frame, name);
+  });
+  std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
+  return places;
+}
+
+std::vector<int> key_frames(const Timeline& timeline) {
+  std::vector<int> frames;
+  for (const KeyPlace& place : key_places(timeline)) frames.push_back(place.frame);
+  frames.erase(std::ranges::unique(frames).begin(), frames.end());
+  return frames;
 }
 
 }  // namespace viete::document

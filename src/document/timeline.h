@@ -101,6 +101,7 @@ struct KeyPlace {
 
   friend auto operator<=>(const KeyPlace&, const KeyPlace&) = default;
 };
+using KeyPlaces = std::vector<KeyPlace>;
 
 struct Playing {
   int first = 1, last = 60;  ///< the playback range; last > first
@@ -134,6 +135,11 @@ void for_each_track(AnyTimeline& timeline, const Act& act) {
   act(timeline.cameras, std::string());
   for (auto& channel : timeline.channels) act(channel.keys, channel.name);
 }
+
+/// Returns the places of all keys, ascending. A pose key and a camera key of one frame have one place.
+KeyPlaces key_places(const Timeline& timeline);
+/// Returns the frames of all keys, ascending.
+std::vector<int> key_frames(const Timeline& timeline);
 
 /// Returns the key of the frame; null if the frame has no key.
 template <class Key>

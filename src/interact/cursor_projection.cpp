@@ -5,12 +5,8 @@
 
 namespace viete::interact {
 
-Projector::Projector(const document::Space& space, const document::Camera& camera,
-                     const document::Viewport& viewport)
-    : space_(space),
-      view_(camera.view()),
-      projection_(camera.projection(viewport)),
-      window_(viewport.window) {
+Projector::Projector(const document::Space& space, const document::Camera& camera)
+    : space_(space), view_(camera.view()), projection_(camera.projection()), window_(camera.viewport.window) {
   to_depth_ = glm::inverse(projection_);
 }
 
@@ -45,8 +41,7 @@ constexpr double edge_on = 0.12;  // a plane is edge-on if the sine of its angle
 
 }  // namespace
 
-CursorProjection::CursorProjection(const glm::dvec3& point, const document::Camera& camera,
-                                   const document::Viewport& v)
+CursorProjection::CursorProjection(const glm::dvec3& point, const document::Camera& camera)
     : point_(point),
       right_(camera.right()),
       up_(camera.up()),
@@ -56,10 +51,10 @@ CursorProjection::CursorProjection(const glm::dvec3& point, const document::Came
   const glm::dvec2 side(glm::dot(from_eye, right_), glm::dot(from_eye, up_));
   depth_ = glm::dot(from_eye, forward_);
   in_front_ = orthographic_ || depth_ > 0.01 * camera.pose().distance;
-  per_pixel_ = camera.per_pixel(depth_, v);
+  per_pixel_ = camera.per_pixel(depth_);
   slope_ = orthographic_ ? glm::dvec2(0) : side / depth_;
   to_eye_ = orthographic_ ? -forward_ : -glm::normalize(from_eye);
-  at_ = glm::dvec2(v.middle()) + glm::dvec2(side.x, -side.y) / per_pixel_;
+  at_ = glm::dvec2(camera.viewport.middle()) + glm::dvec2(side.x, -side.y) / per_pixel_;
 }
 
 // The point is at depth z. A motion by t * d moves it by t * side (right, up) and t * n (forward). It then

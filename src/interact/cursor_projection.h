@@ -13,7 +13,7 @@ namespace viete::interact {
 /// Maps points in file coordinates to logical pixels from the top left of the window.
 class Projector {
 public:
-  Projector(const document::Space& space, const document::Camera& camera, const document::Viewport& viewport);
+  Projector(const document::Space& space, const document::Camera& camera);
 
   /// Returns x and y in logical pixels, and the depth. If the point is behind the camera, returns nullopt.
   std::optional<glm::vec3> operator()(const mesh::Point& p) const;
@@ -33,8 +33,7 @@ private:
 /// are in view units, cursor positions in logical pixels.
 class CursorProjection {
 public:
-  CursorProjection(const glm::dvec3& point, const document::Camera& camera,
-                   const document::Viewport& viewport);
+  CursorProjection(const glm::dvec3& point, const document::Camera& camera);
 
   bool in_front() const { return in_front_; }
   glm::dvec2 at() const { return at_; }

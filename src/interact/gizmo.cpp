@@ -25,13 +25,12 @@ struct Layout {
   const glm::dvec3& center;
   const glm::dmat3& axes;
   const document::Camera& camera;
-  const document::Viewport& viewport;
-  CursorProjection projection{center, camera, viewport};
+  CursorProjection projection{center, camera};
 
   const glm::dvec3& unit(int axis) const { return axes[axis % 3]; }
 
   glm::vec2 at(const glm::dvec3& pixels) const {
-    return glm::vec2(CursorProjection(center + projection.per_pixel() * pixels, camera, viewport).at());
+    return glm::vec2(CursorProjection(center + projection.per_pixel() * pixels, camera).at());
   }
 };
 
@@ -128,8 +127,8 @@ std::optional<Constraint> pick_plane(const Gizmo& gizmo, const glm::vec2& cursor
 }  // namespace
 
 std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
-                                const document::Camera& camera, const document::Viewport& viewport) {
-  const Layout layout{center, axes, camera, viewport};
+                                const document::Camera& camera) {
+  const Layout layout{center, axes, camera};
   if (tool == Tool::select || tool == Tool::paint || !layout.projection.in_front()) return std::nullopt;
   Gizmo gizmo;
   gizmo.tool = tool;
@@ -173,6 +172,52 @@ std::string handle_name(Tool tool, const Constraint& handle) {
              : handle.kind == Kind::axis ? "Move along " + axis
                                          : "Move in " + plane;
   }
+}
+
+namespace {
+
+constexpr float reach = 32, margin = 12, named_ball = 9, plain_ball = 7;  // in logical pixels
+constexpr float smallest_view = 160;
+
+}  // namespace
+
+document::StandardView AxisBall::view(document::UpAxis up) const {
+  using V = document::StandardView;
+  constexpr V views[3][3][2] = {{{V::left, V::right}, {V::bottom, V::top}, {V::back, V::front}},
+                                {{V::left, V::right}, {V::front, V::back}, {V::bottom, V::top}},
+                                {{V::left, V::right}, {V::top, V::bottom}, {V::front, V::back}}};
+  return views[static_cast<std::size_t>(up)][axis][positive ? 1 : 0];
+}
+
+const AxisBall* AxisWidget::ball(const glm::vec2& cursor) const {
+  const auto found = std::find_if(balls.rbegin(), balls.rend(), [&](const AxisBall& ball) {
+    return glm::distance(cursor, ball.at) <= ball.radius + 2;
+  });
+  return found == balls.rend() ? nullptr : &*found;
+}
+
+std::optional<AxisWidget> axis_widget(const document::Camera& camera) {
+  const document::Viewport& v = camera.viewport;
+  if (std::min(v.size.x, v.size.y) < smallest_view) return std::nullopt;
+  AxisWidget widget;
+  widget.center = {v.origin.x + v.size.x - axes_radius - margin, v.origin.y + axes_radius + margin};
+  for (int i = 0; i < 6; ++i) {
+    const bool positive = i < 3;
+    glm::vec3 d(0);
+    d[i % 3] = positive ? 1.0f : -1.0f;
+    const glm::vec2 side(glm::dot(d, camera.right()), -glm::dot(d, camera.up()));
+    widget.balls[i] = {i % 3, positive, widget.center + reach * side, -glm::dot(d, camera.forward()),
+                       positive ? named_ball : plain_ball};
+  }
+  std::stable_sort(widget.balls.begin(), widget.balls.end(),
+                   [](const AxisBall& a, const AxisBall& b) { return a.nearness < b.nearness; });
+  return widget;
+}
+
+void look_from(document::Camera& camera, const AxisBall& ball) {
+  AxisBall side = ball;
+  if (ball.nearness > 0.9999f) side.positive = !side.positive;
+  camera.look(side.view(camera.pose().up));
 }
 
 }  // namespace viete::interact

@@ -47,7 +47,7 @@ struct Gizmo {
 /// Makes the gizmo. `center` is in view units; the columns of `axes` have length 1. If the tool has no gizmo
 /// or the center is behind the camera, returns nullopt.
 std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
-                                const document::Camera& camera, const document::Viewport& viewport);
+                                const document::Camera& camera);
 
 float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
 
@@ -56,5 +56,32 @@ float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
 std::string handle_name(Tool tool, const Constraint& handle);
+
+inline constexpr float axes_radius = 46;  ///< the radius of the widget, in logical pixels
+
+struct AxisBall {
+  int axis;  ///< 0 x, 1 y, 2 z
+  bool positive;
+  glm::vec2 at;    ///< in logical pixels
+  float nearness;  ///< from -1 (points away from the viewer) to 1 (points at the viewer)
+  float radius;
+
+  document::StandardView view(document::UpAxis up) const;
+};
+
+struct AxisWidget {
+  glm::vec2 center;
+  std::array<AxisBall, 6> balls;  ///< sorted from far to near
+
+  bool contains(const glm::vec2& cursor) const { return glm::distance(cursor, center) <= axes_radius; }
+  /// Returns the front ball under the cursor. If there is no ball under the cursor, returns null.
+  const AxisBall* ball(const glm::vec2& cursor) const;
+};
+
+/// Returns the widget. If the view is too small for the widget, returns nullopt.
+std::optional<AxisWidget> axis_widget(const document::Camera& camera);
+
+/// Animates the camera to the side of the ball or, if the camera is already there, to the opposite side.
+void look_from(document::Camera& camera, const AxisBall& ball);
 
 }  // namespace viete::interact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -114,6 +115,20 @@ glm::dvec3 middle_of(const document::Document& document, const Vertices& vertice
   for (const auto i : document.selection().indices())
     sum += document::vector_of(probe_center(document, i)) / count;
   return sum;
+}
+
+std::optional<glm::dvec3> center_of_active(const document::Document& document) {
+  const auto active = document.selection().active();
+  if (!active || selects_probes(document)) return std::nullopt;
+  return document::vector_of(element_middle(document, document.selection().kind(), *active));
+}
+
+// The center of the boundary between the vertices and the largest connected part of the other vertices.
+std::optional<glm::dvec3> joint_of(const document::Document& document,
+                                   const std::vector<std::uint32_t>& vertices) {
+  const Vertices border = border_of(*document.cage(), vertices);
+  if (border.empty()) return std::nullopt;
+  return document::vector_of(mean_of(document.pose().positions, border));
 }
 
 glm::dvec3 pivot_of(const document::Document& document, const document::Handling& handling,
@@ -284,19 +299,6 @@ void move_gripped(const Transform& transform, const Grip& grip, std::span<const 
   }
 }
 
-std::optional<glm::dvec3> center_of_active(const document::Document& document) {
-  const auto active = document.selection().active();
-  if (!active || selects_probes(document)) return std::nullopt;
-  return document::vector_of(element_middle(document, document.selection().kind(), *active));
-}
-
-std::optional<glm::dvec3> joint_of(const document::Document& document,
-                                   const std::vector<std::uint32_t>& vertices) {
-  const Vertices border = border_of(*document.cage(), vertices);
-  if (border.empty()) return std::nullopt;
-  return document::vector_of(mean_of(document.pose().positions, border));
-}
-
 std::vector<std::uint32_t> leading_vertices(const document::Document& document,
                                             const document::Mirror* mirror) {
   std::vector<std::uint32_t> selected = moving_vertices(document);
@@ -329,6 +331,144 @@ Anchor anchor_of(const document::Document& document, const document::Handling& h
     anchor.axes = {glm::dvec3(camera.right()), glm::dvec3(camera.up()), -glm::dvec3(camera.forward())};
   if (handling.axes == document::Axes::selection) anchor.axes = axes_of_selection(document, vertices);
   return anchor;
+}
+
+namespace {
+
+// Sorts the vertices with share 1 by distance from `from`. Returns the mean position of the farthest 20 %.
+glm::dvec3 far_end(const document::Document& document, const Grip& grip, const glm::dvec3& from) {
+  std::vector<std::pair<double, glm::dvec3>> places;
+  for (const Gripped& g : grip.vertices) {
+    const glm::dvec3 p = document::vector_of(document.pose().positions[g.vertex]);
+    if (g.side != Gripped::Side::other && g.share == 1) places.emplace_back(-glm::distance(p, from), p);
+  }
+  std::ranges::sort(places, {}, [](const auto& place) { return place.first; });
+  const std::size_t count = std::max<std::size_t>(1, places.size() / 5);
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < std::min(count, places.size()); ++i) sum += places[i].second;
+  return places.empty() ? from : sum / static_cast<double>(count);
+}
+
+void put_ends(const document::Document& document, const Grip& grip, bool at_median,
+              const document::Camera& camera, Shaping& shaping) {
+  shaping.from = grip.anchor.center;
+  if (at_median) {
+    const auto vertices = leading_vertices(document, nullptr);
+    shaping.from = joint_of(document, vertices).value_or(far_end(document, grip, grip.anchor.center));
+  }
+  const double size = document.space().diagonal();
+  shaping.to = center_of_active(document).value_or(shaping.from);
+  if (glm::distance(shaping.from, shaping.to) < 1e-6 * size)
+    shaping.to = far_end(document, grip, shaping.from);
+  const glm::dvec3 way = shaping.to - shaping.from;
+  if (glm::length(way) < 1e-6 * size) {
+    shaping.shape = Shape::none;
+    return;
+  }
+  const auto hinge = hinge_near(shaping, -glm::dvec3(camera.forward()));
+  shaping.hinge = hinge.value_or(plane_axes(glm::normalize(way)).u);
+}
+
+std::vector<mesh::Vec3> smoothing_displacements(const document::Document& document, const Grip& grip) {
+  const auto& positions = document.pose().positions;
+  std::vector<mesh::Point> sums(positions.size(), {0, 0, 0});
+  std::vector<double> counts(positions.size(), 0);
+  for (const auto& [a, b] : document.cage()->edges) {
+    sums[a] = sums[a] + positions[b];
+    sums[b] = sums[b] + positions[a];
+    ++counts[a];
+    ++counts[b];
+  }
+  std::vector<mesh::Vec3> displacements;
+  for (const Gripped& g : grip.vertices) {
+    const auto v = g.vertex;
+    displacements.push_back(counts[v] > 0 ? 1 / counts[v] * sums[v] - positions[v] : mesh::Vec3{0, 0, 0});
+  }
+  return displacements;
+}
+
+std::vector<mesh::Vec3> relaxing_displacements(const document::Document& document, const Grip& grip) {
+  std::vector<mesh::Vec3> displacements;
+  for (const Gripped& g : grip.vertices)
+    displacements.push_back(document.cage()->surface.positions[g.vertex] -
+                            document.pose().positions[g.vertex]);
+  return displacements;
+}
+
+}  // namespace
+
+Shaping shaping_of(const document::Document& document, Shape shape, const Grip& grip, bool at_median,
+                   const document::Camera& camera) {
+  Shaping shaping;
+  shaping.shape = shape;
+  switch (shape) {
+    case Shape::none: break;
+    case Shape::bend:
+    case Shape::twist:
+    case Shape::taper: put_ends(document, grip, at_median, camera, shaping); break;
+    case Shape::smooth: shaping.displacements = smoothing_displacements(document, grip); break;
+    case Shape::relax: shaping.displacements = relaxing_displacements(document, grip); break;
+  }
+  return shaping;
+}
+
+std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction) {
+  const glm::dvec3 a = glm::normalize(shaping.to - shaping.from);
+  const glm::dvec3 across = direction - glm::dot(direction, a) * a;
+  if (!(glm::length(across) > 1e-3)) return std::nullopt;
+  return glm::normalize(across);
+}
+
+namespace {
+
+void put_visible(document::Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
+                 const mesh::Point& place) {
+  if (v >= hidden.size() || !hidden[v]) document.changed_pose().positions[v] = place;
+}
+
+std::vector<mesh::Point> begin_edit(document::Document& document, const char* label) {
+  record_edit(document, label);
+  return document.changed_pose().positions;
+}
+
+}  // namespace
+
+void copy_to_other_side(document::Document& document, const document::Mirror& mirror) {
+  const auto leading = leading_vertices(document, &mirror);
+  const auto before = begin_edit(document, "copy to the other side");
+  const auto hidden = hidden_elements(document, document::ElementKind::vertex);
+  for (const auto v : leading) {
+    if (mirror.partners[v] == document::Mirror::none) continue;
+    const mesh::Point image = document::reflected(mirror.plane, before[v]);
+    put_visible(document, hidden, mirror.partners[v],
+                mirror.is_on_plane(v) ? 0.5 * (before[v] + image) : image);
+  }
+}
+
+void swap_sides(document::Document& document, const document::Mirror& mirror) {
+  std::vector<std::uint32_t> vertices = moving_vertices(document);
+  if (vertices.empty()) {
+    vertices.resize(mirror.partners.size());
+    std::iota(vertices.begin(), vertices.end(), 0u);
+  }
+  const auto before = begin_edit(document, "swap sides");
+  const auto hidden = hidden_elements(document, document::ElementKind::vertex);
+  for (const auto v : with_partners(std::move(vertices), &mirror)) {
+    if (mirror.partners[v] == document::Mirror::none) continue;
+    put_visible(document, hidden, v, document::reflected(mirror.plane, before[mirror.partners[v]]));
+  }
+}
+
+void paste_pose(document::Document& document, std::span<const std::uint32_t> vertices,
+                std::span<const mesh::Point> positions, const document::Mirror* mirror) {
+  begin_edit(document, "paste pose");
+  const auto hidden = hidden_elements(document, document::ElementKind::vertex);
+  for (std::size_t i = 0; i < vertices.size() && mirror; ++i) {
+    if (mirror->is_paired(vertices[i]))
+      put_visible(document, hidden, mirror->partners[vertices[i]],
+                  document::reflected(mirror->plane, positions[i]));
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) put_visible(document, hidden, vertices[i], positions[i]);
 }
 
 }  // namespace viete::interact

@@ -1,4 +1,5 @@
-// The vertices that a drag moves (the selection, its mirror partners, the soft selection), and their pivot.
+// The vertices that a drag moves (the selection, its mirror partners, the soft selection), their pivot, the
+// ends between which bend, twist and taper act, and copies of a pose between mirrored sides.
 #pragma once
 
 #include <cstdint>
@@ -31,14 +32,6 @@ std::vector<std::uint32_t> leading_vertices(const document::Document& document,
 /// Returns the anchor in the current pose. `mirror` may be null. Requires a selection.
 Anchor anchor_of(const document::Document& document, const document::Handling& handling,
                  const document::Mirror* mirror, const document::Camera& camera);
-
-/// Returns the center of the boundary between the vertices and the largest connected part of the other
-/// vertices; nullopt without a boundary.
-std::optional<glm::dvec3> joint_of(const document::Document& document,
-                                   const std::vector<std::uint32_t>& vertices);
-
-/// Returns the center of the active cage element; nullopt without an active cage element.
-std::optional<glm::dvec3> center_of_active(const document::Document& document);
 
 /// Returns the falloff, from 1 at distance 0 to 0 at distance 1. The distance is relative to the radius.
 double soft_share(document::SoftCurve curve, double distance);
@@ -79,5 +72,31 @@ std::vector<std::uint32_t> vertices_of(const Grip& grip);
 /// or Transform::amount. `to` must have the size of `from`.
 void move_gripped(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
                   std::span<mesh::Point> to);
+
+/// Returns the shaping of the selection in the current pose. Bend, twist and taper have two ends:
+/// - the fixed end: the grip's center; if `at_median`, the joint (as for Pivot::joint) or, if none, the far
+/// end
+/// - the moving end: the active element or, without it, the part of the selection farthest from the fixed end
+/// If the ends coincide, returns Shape::none. A bend is in the view plane.
+Shaping shaping_of(const document::Document& document, Shape shape, const Grip& grip, bool at_median,
+                   const document::Camera& camera);
+
+/// Returns the bending axis nearest to the direction; nullopt if the direction is parallel to `to - from`.
+std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction);
+
+// Copies of a pose between the sides of a symmetric cage. Hidden vertices do not move.
+
+/// Moves the mirror partner of each vertex in leading_vertices() to the mirror image of the vertex. A vertex
+/// on the mirror plane moves to the nearest point of the plane. Undoable.
+void copy_to_other_side(document::Document& document, const document::Mirror& mirror);
+
+/// Swaps the poses of both sides, for the selected vertices and their partners or, if no vertex is selected,
+/// for all vertices. Undoable.
+void swap_sides(document::Document& document, const document::Mirror& mirror);
+
+/// Moves each vertex to its entry in `positions`, and its mirror partner to the mirror image. If the partner
+/// is also in `vertices`, the partner moves to its own entry. `mirror` may be null. Undoable.
+void paste_pose(document::Document& document, std::span<const std::uint32_t> vertices,
+                std::span<const mesh::Point> positions, const document::Mirror* mirror);
 
 }  // namespace viete::interact

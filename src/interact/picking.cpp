@@ -15,10 +15,10 @@ constexpr float behind = 0.01f;  // points up to this far behind a surface are v
 
 }  // namespace
 
-Sight::Sight(const document::Camera& camera, const document::Viewport& viewport)
+Sight::Sight(const document::Camera& camera)
     : orthographic_(camera.pose().orthographic),
-      columns_(std::max(1, static_cast<int>(std::ceil(viewport.window.x / cell)))),
-      rows_(std::max(1, static_cast<int>(std::ceil(viewport.window.y / cell)))),
+      columns_(std::max(1, static_cast<int>(std::ceil(camera.viewport.window.x / cell)))),
+      rows_(std::max(1, static_cast<int>(std::ceil(camera.viewport.window.y / cell)))),
       nearest_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
                -std::numeric_limits<float>::infinity()) {}
 
@@ -158,9 +158,9 @@ std::optional<std::uint32_t> face_at(const pose::Cage& cage, const mesh::Edge& e
 }  // namespace
 
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
-                                 const document::Camera& camera, const document::Viewport& viewport,
-                                 const glm::vec2& cursor, const Sight* sight) {
-  const Projector project(document.space(), camera, viewport);
+                                 const document::Camera& camera, const glm::vec2& cursor,
+                                 const Sight* sight) {
+  const Projector project(document.space(), camera);
   const Flags hidden = hidden_elements(document, kind);
   if (kind == document::ElementKind::probe)
     return pick_point(project, probe_centers(document), cursor, nullptr, hidden);
@@ -169,7 +169,7 @@ std::optional<Pick> pick_element(const document::Document& document, document::E
   const auto& edges = document.cage()->edges;
   if (kind == document::ElementKind::vertex) return pick_point(project, points, cursor, sight, hidden);
   if (kind == document::ElementKind::edge) return pick_edge(project, points, edges, cursor, sight, hidden);
-  const auto inside = pick_inside(document, camera, camera.ray(cursor, viewport), hidden);
+  const auto inside = pick_inside(document, camera, camera.ray(cursor), hidden);
   if (inside && (!sight || sight->sees({cursor, inside->depth}))) return inside;
   const Flags hidden_edges = hidden_elements(document, document::ElementKind::edge);
   const auto edge = pick_edge(project, points, edges, cursor, sight, hidden_edges);
@@ -179,16 +179,15 @@ std::optional<Pick> pick_element(const document::Document& document, document::E
 }
 
 std::optional<Pick> pick_element(const document::Document& document, const document::Camera& camera,
-                                 const document::Viewport& viewport, const glm::vec2& cursor,
-                                 const Sight* sight) {
-  return pick_element(document, document.selection().kind(), camera, viewport, cursor, sight);
+                                 const glm::vec2& cursor, const Sight* sight) {
+  return pick_element(document, document.selection().kind(), camera, cursor, sight);
 }
 
-bool is_crowded(const document::Document& document, const document::Camera& camera,
-                const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight) {
+bool is_crowded(const document::Document& document, const document::Camera& camera, const glm::vec2& cursor,
+                const Sight* sight) {
   constexpr int crowd = 8;
   if (!document.has_cage() || document.selection().kind() == document::ElementKind::probe) return false;
-  const Projector project(document.space(), camera, viewport);
+  const Projector project(document.space(), camera);
   const Flags hidden = hidden_elements(document, document::ElementKind::vertex);
   int close = 0;
   for (std::size_t v = 0; v < hidden.size(); ++v) {
@@ -204,9 +203,8 @@ namespace {
 
 template <class Inside>
 std::vector<std::uint32_t> pick_within(const document::Document& document, const document::Camera& camera,
-                                       const document::Viewport& viewport, const Inside& inside,
-                                       const Sight* sight) {
-  const Projector project(document.space(), camera, viewport);
+                                       const Inside& inside, const Sight* sight) {
+  const Projector project(document.space(), camera);
   const auto kind = document.selection().kind();
   const auto points =
       kind == document::ElementKind::probe ? probe_centers(document) : document.pose().positions;
@@ -230,32 +228,28 @@ std::vector<std::uint32_t> pick_within(const document::Document& document, const
 }  // namespace
 
 std::vector<std::uint32_t> pick_elements_in_box(const document::Document& document,
-                                                const document::Camera& camera,
-                                                const document::Viewport& viewport, const glm::vec2& corner,
+                                                const document::Camera& camera, const glm::vec2& corner,
                                                 const glm::vec2& opposite, const Sight* sight) {
   const glm::vec2 low = glm::min(corner, opposite), high = glm::max(corner, opposite);
   const auto inside = [&](const glm::vec2& p) {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
   };
-  return pick_within(document, camera, viewport, inside, sight);
+  return pick_within(document, camera, inside, sight);
 }
 
 std::vector<std::uint32_t> pick_elements_in_lasso(const document::Document& document,
                                                   const document::Camera& camera,
-                                                  const document::Viewport& viewport,
                                                   std::span<const glm::vec2> line, const Sight* sight) {
   return pick_within(
-      document, camera, viewport, [&](const glm::vec2& p) { return encloses(line, p); }, sight);
+      document, camera, [&](const glm::vec2& p) { return encloses(line, p); }, sight);
 }
 
 std::vector<std::uint32_t> pick_elements_in_circle(const document::Document& document,
-                                                   const document::Camera& camera,
-                                                   const document::Viewport& viewport,
-                                                   const glm::vec2& center, float radius,
-                                                   const Sight* sight) {
-  const Projector project(document.space(), camera, viewport);
+                                                   const document::Camera& camera, const glm::vec2& center,
+                                                   float radius, const Sight* sight) {
+  const Projector project(document.space(), camera);
   const auto kind = document.selection().kind();
-  const auto under = pick_element(document, camera, viewport, center, sight);
+  const auto under = pick_element(document, camera, center, sight);
   const Flags hidden = hidden_elements(document, kind);
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < hidden.size(); ++i) {

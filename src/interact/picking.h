@@ -20,7 +20,7 @@ namespace viete::interact {
 /// elements.
 class Sight {
 public:
-  Sight(const document::Camera& camera, const document::Viewport& viewport);
+  Sight(const document::Camera& camera);
 
   /// Draws a triangle that can hide elements. The corners are results of a Projector.
   void hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
@@ -44,34 +44,29 @@ struct Pick {
 /// by at most 2 pixels, picks the element nearest to the camera. If no face is under the cursor, picks a face
 /// at the nearest edge. Ignores hidden elements and, if `sight` is given, elements behind surfaces.
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
-                                 const document::Camera& camera, const document::Viewport& viewport,
-                                 const glm::vec2& cursor, const Sight* sight = nullptr);
+                                 const document::Camera& camera, const glm::vec2& cursor,
+                                 const Sight* sight = nullptr);
 /// Picks an element of the selection's kind.
 std::optional<Pick> pick_element(const document::Document& document, const document::Camera& camera,
-                                 const document::Viewport& viewport, const glm::vec2& cursor,
-                                 const Sight* sight = nullptr);
+                                 const glm::vec2& cursor, const Sight* sight = nullptr);
 /// True if the cage vertices around the cursor are so close together that the user cannot click between them.
-bool is_crowded(const document::Document& document, const document::Camera& camera,
-                const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight = nullptr);
+bool is_crowded(const document::Document& document, const document::Camera& camera, const glm::vec2& cursor,
+                const Sight* sight = nullptr);
 
 /// Returns the elements of the selected kind that have all vertices inside the rectangle, ascending. If
 /// `sight` is given, returns only elements with a visible center.
 std::vector<std::uint32_t> pick_elements_in_box(const document::Document& document,
-                                                const document::Camera& camera,
-                                                const document::Viewport& viewport, const glm::vec2& corner,
+                                                const document::Camera& camera, const glm::vec2& corner,
                                                 const glm::vec2& opposite, const Sight* sight = nullptr);
 /// Returns the elements inside a closed polyline, like pick_elements_in_box().
 std::vector<std::uint32_t> pick_elements_in_lasso(const document::Document& document,
                                                   const document::Camera& camera,
-                                                  const document::Viewport& viewport,
                                                   std::span<const glm::vec2> line,
                                                   const Sight* sight = nullptr);
 /// Returns the elements with their center in the circle, and the element under the circle's center.
 std::vector<std::uint32_t> pick_elements_in_circle(const document::Document& document,
-                                                   const document::Camera& camera,
-                                                   const document::Viewport& viewport,
-                                                   const glm::vec2& center, float radius,
-                                                   const Sight* sight = nullptr);
+                                                   const document::Camera& camera, const glm::vec2& center,
+                                                   float radius, const Sight* sight = nullptr);
 
 enum class SelectShape { box, lasso, brush };
 

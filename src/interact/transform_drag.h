@@ -31,8 +31,7 @@ public:
   TransformDrag(const document::Document& document, Grip grip, Tool tool, Constraint constraint, double depth,
                 const glm::vec2& cursor, const document::Camera& camera);
 
-  void update(document::Document& document, const DragInput& input, const document::Camera& camera,
-              const document::Viewport& viewport);
+  void update(document::Document& document, const DragInput& input, const document::Camera& camera);
 
   /// Handles a typed character. If the character has no effect, returns false.
   /// - x, y and z constrain to this axis; X, Y and Z constrain to the plane perpendicular to this axis
@@ -67,11 +66,10 @@ private:
   void constrain(const Constraint& constraint);
   void bend_about(int axis);
   glm::dvec3 direction() const;
-  Transform measured(const DragInput& input, const document::Camera& camera,
-                     const document::Viewport& viewport);
+  Transform measured(const DragInput& input, const document::Camera& camera);
   Transform typed(double value) const;
   glm::dvec3 move_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection,
-                           const document::Camera& camera, const document::Viewport& viewport) const;
+                           const document::Camera& camera) const;
   double turn_by_mouse(const DragInput& input, const CursorProjection& projection);
   glm::dvec3 scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const;
   glm::dvec3 factors(double value) const;
@@ -115,6 +113,18 @@ struct DragGuides {
 };
 
 DragGuides drag_guides(const TransformDrag& drag, const document::Space& space,
-                       const document::Camera& camera, const document::Viewport& viewport);
+                       const document::Camera& camera);
+
+/// Transforms the vertices of the grip, or the selected probes, from their pose in `before`. `degrees_seen`
+/// is the rotation of the current pose. If Transform::degrees differs much from `degrees_seen`, rotates in
+/// small steps to count whole turns. |degrees| must be at most most_degrees. If the result is out of range
+/// (document/range.h), restores the pose of `before` and returns false.
+bool place(document::Document& document, const document::DocumentState& before, const Grip& grip,
+           const Transform& transform, double degrees_seen);
+
+/// Transforms the selection as an undoable edit. Requires a selection. If the result is out of range, changes
+/// nothing and returns false.
+bool transform_selection(document::Document& document, Tool tool, const Grip& grip,
+                         const Transform& transform);
 
 }  // namespace viete::interact

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/os.h"
 #include "platform/offscreen_context.h"
 
 namespace viete::platform {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "render/gl.h"
-#include "render/program.h"
 #include "render/view.h"
 
 namespace viete::render {

@@ -6,7 +6,7 @@ foreach(path IN LISTS SHADERS)
   string(APPEND rows "    {\"${name}\", R\"GLSL(${text})GLSL\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// Made by embed_shaders.cmake from the files in shaders/.
-#include \"render/program.h\"
+#include \"render/gl.h\"
 
 #include \"base/error.h\"
 

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "render/gl.h"
-#include "render/program.h"
 #include "render/view.h"
 
 namespace viete::render {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "render/gl.h"
-#include "render/program.h"
 #include "render/surface_layer.h"
 #include "render/view.h"
 

@@ -10,7 +10,6 @@
 #include "base/drawn_vertex.h"
 #include "render/gl.h"
 #include "render/image.h"
-#include "render/program.h"
 #include "render/view.h"
 
 namespace viete::render {

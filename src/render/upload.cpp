@@ -1,9 +1,6 @@
 #include "render/upload.h"
 
 #include <cmath>
-#include <string>
-
-#include "base/error.h"
 
 namespace viete::render {
 
@@ -47,21 +44,6 @@ void require_texels(const Gl& gl, const char* what, std::size_t texels) {
                         std::to_string(gl.max_texels),
                     "use a smaller mesh or another graphics driver");
 }
-
-template <std::size_t n>
-void require_indices(const char* what, std::span<const std::array<std::uint32_t, n>> elements,
-                     std::size_t vertex_count) {
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    for (const std::uint32_t vertex : elements[i]) {
-      if (vertex < vertex_count) continue;
-      throw base::Error(
-          std::string(what) + ": element " + std::to_string(i),
-          "refers to vertex " + std::to_string(vertex) + ", the mesh has " + std::to_string(vertex_count));
-    }
-}
-
-template void require_indices<2>(const char*, std::span<const std::array<std::uint32_t, 2>>, std::size_t);
-template void require_indices<3>(const char*, std::span<const std::array<std::uint32_t, 3>>, std::size_t);
 
 void set_camera(const Program& program, const View& view, const Point& origin) {
   program.set("eye_from_model", eye_matrix(view, origin));

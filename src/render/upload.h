@@ -1,11 +1,13 @@
 // Checks arrays of points and indices, and packs them for the GPU.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 
+#include "base/error.h"
 #include "render/gl.h"
-#include "render/program.h"
 #include "render/view.h"
 
 namespace viete::render {
@@ -28,12 +30,15 @@ void require_texels(const Gl& gl, const char* what, std::size_t texels);
 /// If a vertex index is vertex_count or more, throws base::Error with the place `what` and the element.
 template <std::size_t n>
 void require_indices(const char* what, std::span<const std::array<std::uint32_t, n>> elements,
-                     std::size_t vertex_count);
-
-extern template void require_indices<2>(const char*, std::span<const std::array<std::uint32_t, 2>>,
-                                        std::size_t);
-extern template void require_indices<3>(const char*, std::span<const std::array<std::uint32_t, 3>>,
-                                        std::size_t);
+                     std::size_t vertex_count) {
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (const std::uint32_t vertex : elements[i]) {
+      if (vertex < vertex_count) continue;
+      throw base::Error(
+          std::string(what) + ": element " + std::to_string(i),
+          "refers to vertex " + std::to_string(vertex) + ", the mesh has " + std::to_string(vertex_count));
+    }
+}
 
 /// Sets the camera matrices for points stored relative to `origin`.
 void set_camera(const Program& program, const View& view, const Point& origin);

@@ -72,11 +72,7 @@ struct Theme {
   float exposure;       ///< the brightness of the lights; 1 is normal
 };
 
-Theme dark_theme();
-Theme light_theme();
-inline Theme theme(bool dark) {
-  return dark ? dark_theme() : light_theme();
-}
+Theme theme(bool dark);
 
 /// Converts an sRGB component to linear light, both in [0, 1].
 float linear_light(float display);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "ui/format.h"
 #include "ui/imgui_bridge.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -137,7 +137,7 @@ void guides(const Context& ui, OverlayPainter& painter, const interact::DragGuid
 
 // Shows the amount of the drag next to the cursor, inside the view.
 void readout(const Context& ui, const std::string& text) {
-  const auto& v = ui.workspace.view.viewport;
+  const auto& v = ui.workspace.view.camera.viewport;
   ImGui::PushFont(ui.fonts.numbers);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str()), cursor = ImGui::GetIO().MousePos;
   const float x = std::clamp(cursor.x + 22, v.origin.x + 12,
@@ -158,8 +158,7 @@ void gizmo_overlay(const Context& ui) {
   const auto& drag = w.view.interaction.drag;
   if (w.view.interaction.box) return;
   OverlayPainter painter(ui);
-  if (drag)
-    guides(ui, painter, interact::drag_guides(*drag, w.document.space(), w.view.camera, w.view.viewport));
+  if (drag) guides(ui, painter, interact::drag_guides(*drag, w.document.space(), w.view.camera));
   if (const auto gizmo = workspace::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
   if (drag) readout(ui, drag->readout());
 }
@@ -216,7 +215,7 @@ void soft_circle(const Context& ui, OverlayPainter& painter) {
   const glm::dvec3 center = drag.grip().anchor.center + drag.transform().shift;
   const glm::dvec3 at(w.document.space().to_view({center.x, center.y, center.z}));
   if (!(w.view.camera.depth(glm::vec3(at)) > 0)) return;
-  const interact::CursorProjection seen(at, w.view.camera, w.view.viewport);
+  const interact::CursorProjection seen(at, w.view.camera);
   const auto pixels = static_cast<float>(w.view.handling.soft.radius * w.document.space().diagonal() *
                                          w.document.space().scale / seen.per_pixel());
   if (pixels < 4000) painter.circle(glm::vec2(seen.at()), pixels, ui.colors.highlight, 1.25f, 0.5f);
@@ -228,7 +227,7 @@ void hand_overlay(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   if (!w.document.model().surface) return;
   OverlayPainter painter(ui);
-  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
+  const interact::Projector project(w.document.space(), w.view.camera);
   const document::Mirror* const mirror = workspace::mirror_of(w);
   if (w.view.options.cage && mirror && w.document.has_cage()) {
     if (w.view.interaction.drag)

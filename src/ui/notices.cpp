@@ -27,7 +27,7 @@ std::string message_text(const workspace::Message& message) {
 
 void message_log(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  const document::Viewport& v = w.view.viewport;
+  const document::Viewport& v = w.view.camera.viewport;
   bool open = true;
   const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.window.y - 80)};
   const Dialog dialog("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
@@ -110,7 +110,8 @@ void recovery_cards(const Context& ui, const std::vector<files::RecoveryFile>& f
 
 float notice_room(const Context& ui) {
   constexpr float tools = 64, least = 180;
-  return std::max(least, ui.workspace.view.viewport.size.x - 2 * tools);  // 2, because notices are centered
+  return std::max(least,
+                  ui.workspace.view.camera.viewport.size.x - 2 * tools);  // 2, because notices are centered
 }
 
 // A row below the menu bar, above the columns and the view.
@@ -120,7 +121,7 @@ void notice_bar(const Context& ui) {
   w.panels.notice_height = 0;
   if (!w.recovery.offered || w.recovery.files.empty()) return;
   const float top = w.view.options.panels ? workspace::PanelLayout::menu_height : 0;
-  const ImVec2 size(w.view.viewport.window.x, 0);
+  const ImVec2 size(w.view.camera.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});
   const Window window("Notice", {.at = {0, top}, .pivot = {0, 0}, .rounding = 0}, card_flags);
   ImGui::AlignTextToFramePadding();

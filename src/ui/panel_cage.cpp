@@ -2,8 +2,6 @@
 #include <cmath>
 
 #include "document/cage_making.h"
-#include "ui/choice_list.h"
-#include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "workspace/workspace.h"

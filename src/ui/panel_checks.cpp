@@ -2,7 +2,6 @@
 
 #include "base/text.h"
 #include "document/elements.h"
-#include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "workspace/workspace.h"

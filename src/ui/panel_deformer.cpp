@@ -7,7 +7,6 @@
 
 #include "document/document.h"
 #include "document/edit.h"
-#include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "workspace/command.h"

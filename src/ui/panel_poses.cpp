@@ -5,12 +5,10 @@
 
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
-#include "ui/choice_list.h"
-#include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
 #include "workspace/playing.h"
 
 namespace viete::ui {

@@ -3,12 +3,10 @@
 
 #include "document/probes.h"
 #include "interact/cursor_projection.h"
-#include "ui/choice_list.h"
-#include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
 
 namespace viete::ui {
 
@@ -117,7 +115,7 @@ void axes(const Context& ui, OverlayPainter& painter, const interact::CursorProj
     const double length = glm::length(column);
     const glm::dvec3 along =
         double(axis_length) * at.per_pixel() * std::clamp(length, 0.4, 2.0) / length * column;
-    const interact::CursorProjection end(center + along, w.view.camera, w.view.viewport);
+    const interact::CursorProjection end(center + along, w.view.camera);
     painter.line(glm::vec2(at.at()), glm::vec2(end.at()), ui.colors.axis[axis], 2.25f, opacity);
   }
 }
@@ -128,7 +126,7 @@ void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 mi
   const document::Probe& probe = w.document.probes().all[i];
   const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.accent;
   const glm::dvec3 vertex(w.document.space().to_view(document::pinned_vertex(w.document, i)));
-  const interact::CursorProjection at(vertex, w.view.camera, w.view.viewport);
+  const interact::CursorProjection at(vertex, w.view.camera);
   painter.line(glm::vec2(at.at()), middle, color, 1.5f, 0.8f);
   if (!probe.pin->pulls) painter.disc(middle, dot - 1, color, 1);
   painter.circle(middle, dot + 2, color, 2);
@@ -140,7 +138,7 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
   const document::Probe& probe = w.document.probes().all[i];
   const glm::dvec3 center(w.document.space().to_view(document::probe_center(w.document, i)));
   if (!(w.view.camera.depth(glm::vec3(center)) > 0)) return;
-  const interact::CursorProjection at(center, w.view.camera, w.view.viewport);
+  const interact::CursorProjection at(center, w.view.camera);
   const glm::vec2 middle(at.at());
   const float opacity = shown.selected || shown.hovered ? 1.0f : 0.75f;
   if (probe.pin) return pin(ui, painter, i, middle, shown);

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "document/edit.h"
-#include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

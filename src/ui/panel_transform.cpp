@@ -1,15 +1,12 @@
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "document/elements.h"
-#include "interact/placing.h"
-#include "ui/choice_list.h"
-#include "ui/format.h"
+#include "interact/transform_drag.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
-#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
 #include "workspace/pointer.h"
 
 namespace viete::ui {

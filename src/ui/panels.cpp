@@ -4,7 +4,6 @@
 
 #include "ui/overlay_painter.h"
 #include "ui/widgets.h"
-#include "workspace/command.h"
 #include "workspace/preferences.h"
 
 namespace viete::ui {
@@ -12,7 +11,7 @@ namespace viete::ui {
 namespace {
 
 Window::Place column(const Context& ui, float x, float width) {
-  const document::Viewport& v = ui.workspace.view.viewport;
+  const document::Viewport& v = ui.workspace.view.camera.viewport;
   return {
       .at = {x, v.origin.y}, .pivot = {0, 0}, .size = {width, workspace::column_height(v)}, .rounding = 0};
 }
@@ -22,7 +21,7 @@ constexpr auto column_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoNavInputs;
 
 void tools(const Context& ui) {
-  const float width = ui.workspace.view.viewport.origin.x;
+  const float width = ui.workspace.view.camera.viewport.origin.x;
   if (width <= 0) return;
   const Window window("Tools", column(ui, 0, width), column_flags);
   panel_model(ui);
@@ -47,7 +46,7 @@ void analysis(const Context& ui) {
 }
 
 void methods(const Context& ui) {
-  const document::Viewport& v = ui.workspace.view.viewport;
+  const document::Viewport& v = ui.workspace.view.camera.viewport;
   const float x = v.origin.x + v.size.x;
   if (v.window.x <= x) return;
   const Window window("Methods", column(ui, x, v.window.x - x), column_flags);
@@ -100,7 +99,7 @@ void draw_panels(const Context& ui) {
     status_bar(ui);
   }
   context_menu(ui);
-  const document::Viewport& v = ui.workspace.view.viewport;
+  const document::Viewport& v = ui.workspace.view.camera.viewport;
   notice_bar(ui);
   const float bottom = work_bar(ui, map_legend(ui, v.origin.y + v.size.y));
   toasts(ui, std::min(cage_offer(ui, bottom), key_question(ui, bottom)) - 44);
@@ -137,7 +136,7 @@ constexpr auto strip_flags = passive_flags | ImGuiWindowFlags_NoBackground;
 
 void edge(const Context& ui, const Side& side) {
   workspace::Workspace& w = ui.workspace;
-  const document::Viewport& v = w.view.viewport;
+  const document::Viewport& v = w.view.camera.viewport;
   const float x = edge_x(v, side);
   const std::string name = std::string("edge/") + side.name;
   const ImVec2 size{edge_thickness, workspace::column_height(v)};
@@ -167,7 +166,7 @@ void chevron(ImDrawList& draw, ImVec2 middle, float direction, ImU32 color) {
 }
 
 void tab(const Context& ui, const Side& side, bool shown) {
-  const document::Viewport& v = ui.workspace.view.viewport;
+  const document::Viewport& v = ui.workspace.view.camera.viewport;
   const workspace::Command& command = *workspace::find_command(side.command);
   const ImVec2 at{edge_x(v, side), v.origin.y + 0.5f * (v.size.y - tab_height)};
   const std::string name = std::string("tab/") + side.name;
@@ -192,7 +191,7 @@ void tab(const Context& ui, const Side& side, bool shown) {
 
 void column_edges(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  const auto widths = workspace::shown_columns(w.preferences.layout, w.view.viewport.window.x);
+  const auto widths = workspace::shown_columns(w.preferences.layout, w.view.camera.viewport.window.x);
   for (const Side& side : sides) {
     const bool shown = widths.of(side.column) > 0;
     if (shown) edge(ui, side);

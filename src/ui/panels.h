@@ -1,13 +1,16 @@
-// Draws the panels, one function each. Also sets fonts and colours, and handles input.
+// Draws the panels, one function each. Also sets fonts and colours, handles input, and describes mouse
+// actions.
 #pragma once
 
 #include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "ui/context.h"
+#include "workspace/command.h"
 
 namespace viete::workspace {
-struct Command;
 class Pointer;
 }  // namespace viete::workspace
 
@@ -50,9 +53,8 @@ void panel_select(const Context& ui);  ///< selection tools and selection sets
 void panel_making(const Context& ui);  ///< settings of cage generation
 void panel_transform(const Context& ui);
 void panel_probes(const Context& ui);
-void panel_poses(const Context& ui);                              ///< named poses and their weights
-void timeline_panel(const Context& ui);                           ///< below the view
-void timeline_track(const Context& ui, ImVec2 low, ImVec2 high);  ///< ruler, keys and playhead
+void panel_poses(const Context& ui);     ///< named poses and their weights
+void timeline_panel(const Context& ui);  ///< below the view
 void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
 void panel_timings(const Context& ui);
@@ -89,11 +91,24 @@ void hand_overlay(const Context& ui);      ///< mirror partners, soft radius and
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
-void torn_overlay(const Context& ui);    ///< edges where the mesh may fold, see pose_notes()
-document::SelectMode select_mode();      ///< according to Shift and Ctrl
-void select_overlay(const Context& ui);  ///< box, lasso and brush
+void torn_overlay(const Context& ui);  ///< edges where the mesh may fold, see pose_notes()
+document::SelectMode select_mode();    ///< according to Shift and Ctrl
 std::string select_hint(const workspace::Workspace& workspace);  ///< help for the selection tools, or empty
 std::string mouse_text(const workspace::Workspace& workspace);   ///< help for the current mouse actions
 void view_overlay(const Context& ui);                            ///< selection tools, brush and hints
+
+struct MouseLine {
+  std::string action, what;
+};
+
+std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap);
+
+/// Describes camera navigation. Two spaces separate the phrases.
+std::string looking_words(const workspace::Keymap& keymap);
+/// Describes the effect of a drag on empty space, and camera navigation.
+std::string empty_space_words(const workspace::Keymap& keymap);
+
+/// The command's first key, or its label in quotes if it has no key.
+std::string key_or_label(const workspace::Keymap& keymap, std::string_view command);
 
 }  // namespace viete::ui

@@ -184,7 +184,7 @@ void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at)
 }  // namespace
 
 void tool_strip(const Context& ui) {
-  const document::Viewport& v = ui.workspace.view.viewport;
+  const document::Viewport& v = ui.workspace.view.camera.viewport;
   if (!ui.workspace.document.model().surface) return;
   const std::size_t count = fitting_tools(v.size.y);
   const bool all = count == std::size(strip);

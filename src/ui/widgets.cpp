@@ -3,10 +3,10 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
-#include "base/text.h"
 #include "document/edit.h"
 #include "interact/number_entry.h"
 #include "ui/imgui_bridge.h"
@@ -64,10 +64,6 @@ std::optional<std::string> text_field(const Context& ui, const std::string& name
   ui.workspace.panels.typed.erase(name);
   return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
 }
-
-}  // namespace
-
-namespace {
 
 constexpr int placed_styles = 4;  // popped after Begin(): menus and tooltips have the usual style
 
@@ -128,12 +124,12 @@ bool is_popup_open() {
 }
 
 ImVec2 middle_at(const Context& ui, float y) {
-  const document::Viewport& v = ui.workspace.view.viewport;
+  const document::Viewport& v = ui.workspace.view.camera.viewport;
   return {v.origin.x + 0.5f * v.size.x, y};
 }
 
 ImVec2 middle_of_view(const Context& ui) {
-  const document::Viewport& v = ui.workspace.view.viewport;
+  const document::Viewport& v = ui.workspace.view.camera.viewport;
   return middle_at(ui, v.origin.y + 0.5f * v.size.y);
 }
 
@@ -281,13 +277,14 @@ bool is_typing_elsewhere() {
          g.ActiveIdWindow->RootWindow != g.CurrentWindow->RootWindow;
 }
 
-}  // namespace
-
+// True if the last item needs a tooltip: the item is hovered but not pressed, and no other tooltip is shown.
 bool wants_hint() {
   const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
   return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive() &&
          !(tooltip && tooltip->Active) && !is_typing_elsewhere();
 }
+
+}  // namespace
 
 bool take_escape(workspace::Workspace& w) {
   if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) workspace::begin_widget_edit(w);
@@ -560,6 +557,18 @@ void note_within(const Context& ui, int lines, const std::string& text, ImU32 co
   const float end = line + static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing();
   const float left = end - ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
   if (left > 0) ImGui::Dummy({0, left});
+}
+
+std::string error(double relative) {
+  if (std::isnan(relative)) return "NaN";
+  return relative == 0 ? "0" : formatted("%.1e", relative);
+}
+
+std::string rough_error(double relative) {
+  if (std::isnan(relative) || relative == 0) return error(relative);
+  std::string text = formatted("%.0e", relative);
+  if (const auto zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
+  return text;
 }
 
 }  // namespace viete::ui

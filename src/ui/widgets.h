@@ -4,11 +4,14 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "ui/context.h"
 #include "workspace/command.h"
+#include "workspace/command_tables.h"
 
 namespace viete::ui {
 
@@ -130,8 +133,6 @@ std::string wrapped(const std::string& text, float width);
 std::string shortened(std::string text, float width);
 /// A wrapped tooltip beside the last item.
 void hint(const std::string& text);
-/// True if the last item needs a tooltip: the item is hovered but not pressed, and no other tooltip is shown.
-bool wants_hint();
 
 /// On a mouse press, begins an edit that Esc can cancel. If Esc is pressed, closes the open popup, or cancels
 /// the active widget and restores its value. Returns true if Esc was used. Call before other uses of Esc.
@@ -182,5 +183,62 @@ void open_recent(workspace::Workspace& workspace, std::size_t index);
 /// Text in the font for numbers, right aligned at x. `line` is its top edge; the default is the current line.
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color,
                 std::optional<float> line = {});
+
+using base::formatted;
+using base::milliseconds;
+using base::nanoseconds;
+
+/// Beside times that are too long, see workspace::FrameTimes::busy.
+inline constexpr std::string_view busy_words = "the computer is busy";
+
+/// For example "50,000".
+inline std::string count(std::size_t n) {
+  return base::with_thousands(n);
+}
+/// For example "3.1e-16". Exactly 0 gives "0", NaN gives "NaN".
+std::string error(double relative);
+/// With one digit, for example "3e-16".
+std::string rough_error(double relative);
+
+struct ChoiceListWords {
+  const char* prefix = "";  ///< prefix of the entries' widget names, for tests
+  const char* none = "";    ///< text shown if no value is chosen
+  const char* about = "";   ///< tooltip that replaces the value's tooltip
+};
+
+/// A drop-down list of all values, with the current value marked.
+template <class Value>
+void choice_list(const Context& ui, const std::string& name, std::optional<Value> now, float width,
+                 const ChoiceListWords& words = {}) {
+  ImGui::SetNextItemWidth(width);
+  const char* const shown = now ? base::entry_of(*now).label.data() : words.none;
+  const std::string about = *words.about || !now ? words.about : std::string(base::entry_of(*now).hint);
+  if (!begin_list(ui, name, shown, about)) return;
+  const std::span<const base::Choice> all = choices(Value{});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto value = static_cast<Value>(i);
+    const workspace::Command& command = *workspace::find_command(workspace::choice_command_name(value));
+    if (list_entry(ui, all[i].label, words.prefix + command.name, value == now, all[i].hint) &&
+        command.enabled(ui.workspace))
+      command.run(ui.workspace);
+  }
+  ImGui::EndCombo();
+}
+
+/// Like choice_list(), without commands. Returns the newly chosen value, or nullopt.
+template <class Value>
+std::optional<Value> entry_list(const Context& ui, const std::string& name, std::optional<Value> now,
+                                const char* none = "") {
+  std::optional<Value> chosen;
+  const char* const shown = now ? base::entry_of(*now).label.data() : none;
+  if (!begin_list(ui, name, shown, now ? std::string(base::entry_of(*now).hint) : "")) return chosen;
+  for (const Value value : base::all_values<Value>()) {
+    const base::Choice& entry = base::entry_of(value);
+    if (list_entry(ui, entry.label, name + '_' + std::string(entry.word), value == now, entry.hint))
+      chosen = value;
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
 
 }  // namespace viete::ui

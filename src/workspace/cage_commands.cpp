@@ -7,7 +7,6 @@
 #include "document/cage_editing.h"
 #include "document/edit.h"
 #include "document/elements.h"
-#include "workspace/command_conditions.h"
 #include "workspace/command_tables.h"
 #include "workspace/workspace.h"
 
@@ -27,8 +26,8 @@ void switch_cage_editing(document::Document& document) {
   is_editing_cage(document) ? end_cage_editing(document) : begin_cage_editing(document);
 }
 
-constexpr Condition has_suggestion{[](const Workspace& w) { return offers_next_step(w); },
-                                   "The view shows no suggestion."};
+constexpr Condition has_suggestion{"The view shows no suggestion.",
+                                   [](const Workspace& w) { return offers_next_step(w); }};
 
 constexpr Concern of_cage{.scope = Scope::cage};
 

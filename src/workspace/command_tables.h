@@ -7,12 +7,15 @@
 #include <type_traits>
 #include <vector>
 
+#include "document/edit.h"
+#include "document/elements.h"
 #include "document/handling.h"
+#include "document/probes.h"
 #include "document/timeline.h"
 #include "document/view_options.h"
 #include "pose/deformer.h"
 #include "workspace/command.h"
-#include "workspace/keymap.h"
+#include "workspace/workspace.h"
 
 namespace viete::workspace {
 
@@ -99,6 +102,142 @@ void add_choices(CommandTable& table, std::string_view headline, const Condition
     table.choice(choice_command_name(value), headline, entry.label, entry.hint, enabled,
                  [=](Workspace& w) { choose(w, value); });
   }
+}
+
+inline bool selects_probes(const Workspace& w) {
+  return w.document.selection().kind() == document::ElementKind::probe;
+}
+inline constexpr Condition no_drag_runs{"Finish the current drag first.",
+                                        [](const Workspace& w) { return !is_dragging(w); }};
+template <const Condition& C>
+inline constexpr Condition without_drag{C.otherwise,
+                                        [](const Workspace& w) { return C(w) && !is_dragging(w); }};
+
+inline constexpr Condition always{"", [](const Workspace&) { return true; }};
+inline constexpr Condition uses_method{
+    "This blend uses no exponential; choose \"Log space\" first.",
+    [](const Workspace& w) { return w.document.deformer().exponential(); }};
+inline constexpr Condition has_maps{
+    "Not available for this deformer: it uses the vertices of the cage, not its faces.",
+    [](const Workspace& w) { return w.document.deformer().has_maps(); }};
+inline constexpr Condition has_model{
+    "Open a model first.", [](const Workspace& w) { return w.document.model().surface != nullptr; }};
+inline constexpr Condition has_cage{"Open a cage first.",
+                                    [](const Workspace& w) { return w.document.has_cage(); }};
+inline constexpr Condition is_movable{"Open a cage, add a probe or import shapes first.",
+                                      [](const Workspace& w) { return w.document.is_movable(); }};
+inline constexpr Condition has_elements{
+    "Nothing to select: open a cage or add a probe first.",
+    [](const Workspace& w) { return element_count(w.document, w.document.selection().kind()) > 0; }};
+inline constexpr Condition has_probe_room{
+    "Open a model first. At most 256 probes are possible.", [](const Workspace& w) {
+      return has_model(w) && w.document.probes().all.size() < document::most_probes && !is_dragging(w);
+    }};
+inline constexpr Condition has_pin_room{
+    "Pins need a model with faces. At most 256 probes are possible.",
+    [](const Workspace& w) { return w.document.has_faces() && has_probe_room(w); }};
+inline constexpr Condition has_probes_selected{"Select a probe first.", [](const Workspace& w) {
+                                                 return selects_probes(w) &&
+                                                        !w.document.selection().empty() && !is_dragging(w);
+                                               }};
+inline constexpr Condition has_pins_selected{
+    "Select a pin first.", [](const Workspace& w) {
+      return has_probes_selected(w) && std::ranges::any_of(w.document.selection().indices(), [&](auto i) {
+               return w.document.probes().all[i].pin.has_value();
+             });
+    }};
+inline constexpr Condition has_free_probes_selected{
+    "Select an unlocked probe first.",
+    [](const Workspace& w) { return has_free_probes(w.document) && !is_dragging(w); }};
+inline constexpr Condition has_mask{"Nothing is painted: the whole model follows the cage.",
+                                    [](const Workspace& w) { return w.document.mask() != nullptr; }};
+inline constexpr Condition has_selection{"Nothing is selected.",
+                                         [](const Workspace& w) { return !w.document.selection().empty(); }};
+inline constexpr Condition has_selection_or_hover{
+    "Select part of the cage first, or point at it.", [](const Workspace& w) {
+      return has_cage(w) && !selects_probes(w) && (has_selection(w) || w.view.interaction.hovered);
+    }};
+inline constexpr Condition selects_of_cage{
+    "Open a cage and choose vertices, edges or faces first.",
+    [](const Workspace& w) { return has_cage(w) && !selects_probes(w); }};
+inline constexpr Condition has_selection_of_cage{"Select part of the cage first.", [](const Workspace& w) {
+                                                   return selects_of_cage(w) && has_selection(w);
+                                                 }};
+inline constexpr Condition has_hidden{"No part of the cage is hidden.",
+                                      [](const Workspace& w) { return !w.document.groups().hidden.empty(); }};
+inline constexpr Condition can_draw_selection{
+    "Nothing to select: open a cage, show it (C) or add a probe first.",
+    [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !is_dragging(w); }};
+inline constexpr Condition is_armed{"Start box, lasso or brush selection first.",
+                                    [](const Workspace& w) { return w.view.interaction.armed.has_value(); }};
+inline constexpr Condition is_working{"No task is running.",
+                                      [](const Workspace& w) { return w.jobs.working(); }};
+inline constexpr Condition can_make_cage{
+    "Open a model first. If you are making a cage, choose Done.", [](const Workspace& w) {
+      return has_model(w) && !w.making.open && !w.jobs.loading.running && !is_dragging(w);
+    }};
+inline constexpr Condition lacks_pairs{
+    "Choose a mirror in Transform first. All vertices of the cage may have a mirror image already.",
+    [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; }};
+inline constexpr Condition can_edit_cage{
+    "Open or make a cage first. If you are making one, choose Done.",
+    [](const Workspace& w) { return has_cage(w) && !w.making.open && !is_dragging(w); }};
+inline constexpr Condition is_editing{"Start cage editing first.", [](const Workspace& w) {
+                                        return is_editing_cage(w.document) && !is_dragging(w);
+                                      }};
+inline constexpr Condition has_cage_selected{
+    "Start cage editing and select part of the cage first.", [](const Workspace& w) {
+      return is_editing(w) && !selects_probes(w) && has_selection(w) &&
+             !w.view.time.hovered;  // over the timeline, Delete deletes timeline keys
+    }};
+inline constexpr Condition has_outside{
+    "The cage encloses all vertices of the model.",
+    [](const Workspace& w) { return outside_finding(w.checks).has_value(); }};
+inline constexpr Condition is_making{"Choose \"Make cage\" first.",
+                                     [](const Workspace& w) { return w.making.open; }};
+inline constexpr Condition is_wishing{
+    "Choose \"Make cage\" first. If the cage is confirmed already, wait until it is computed.",
+    [](const Workspace& w) { return w.making.open && !w.making.closing; }};
+inline constexpr Condition has_cage_beside{
+    "The model's folder contains no cage for the model.",
+    [](const Workspace& w) { return !w.document.cage_beside().empty() && !w.jobs.loading.running; }};
+inline constexpr Condition is_exporting{"Nothing is being exported.",
+                                        [](const Workspace& w) { return w.jobs.exporting.running; }};
+inline constexpr Condition is_reporting{"No report is being made.",
+                                        [](const Workspace& w) { return w.jobs.reporting.running; }};
+inline constexpr Condition is_not_reporting{"A report is being made; cancel it first.",
+                                            [](const Workspace& w) { return !w.jobs.reporting.running; }};
+inline constexpr Condition has_recovery_files{"There are no recovered edits.", [](const Workspace& w) {
+                                                return !w.recovery.files.empty() && !w.jobs.loading.running;
+                                              }};
+inline constexpr Condition offers_recovery{"No recovered edits are shown.", [](const Workspace& w) {
+                                             return has_recovery_files(w) && w.recovery.offered;
+                                           }};
+inline constexpr Condition can_undo{"There is no edit to undo.", [](const Workspace& w) {
+                                      return w.document.history().can_undo() && !is_dragging(w);
+                                    }};
+inline constexpr Condition can_redo{"There is no edit to redo.", [](const Workspace& w) {
+                                      return w.document.history().can_redo() && !is_dragging(w);
+                                    }};
+inline constexpr Condition is_posed{"Cage and probes are at rest.", [](const Workspace& w) {
+                                      return !is_dragging(w) && differs_from_rest(w.document);
+                                    }};
+inline constexpr Condition has_posed_selection{"The selection is already at rest.", [](const Workspace& w) {
+                                                 return has_selection(w) && is_posed(w) &&
+                                                        (selects_probes(w) || !is_editing_cage(w.document)) &&
+                                                        !w.view.time.hovered;
+                                               }};
+
+/// An effect that asks the program to cancel running work.
+template <CancelWork::Work work>
+void cancel(Workspace& w) {
+  w.jobs.wishes.add(CancelWork{work});
+}
+
+/// The effect of a command that toggles an option of the view.
+inline Effect switches(bool document::ViewOptions::*option) {
+  return {[=](Workspace& w) { w.view.options.*option = !(w.view.options.*option); },
+          [=](const Workspace& w) { return w.view.options.*option; }};
 }
 
 }  // namespace viete::workspace

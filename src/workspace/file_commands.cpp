@@ -1,5 +1,4 @@
 #include "files/output.h"
-#include "workspace/command_conditions.h"
 #include "workspace/command_tables.h"
 #include "workspace/saving.h"
 
@@ -60,30 +59,30 @@ void browse_to_export(Workspace& w, Purpose purpose, const std::string& ending,
 
 void save_animation(Workspace& w) {
   browse_to_export(w, Purpose::save_animation, "_animation.pc2", "_####");
-  const glm::ivec2 size = glm::clamp(glm::ivec2(w.view.viewport.window), least_picture, largest_picture);
+  const glm::ivec2 size =
+      glm::clamp(glm::ivec2(w.view.camera.viewport.window), least_picture, largest_picture);
   w.files.browser.pictures = PictureChoice{
       .grid = w.view.options.grid, .light = !w.view.options.dark, .width = size.x, .height = size.y};
   w.files.browser.first_frame = w.document.timeline().first;
   w.files.browser.last_frame = w.document.timeline().last;
 }
 
-constexpr Condition has_example{[](const Workspace& w) { return !w.files.example.empty(); },
-                                "The bundled dragon was not found."};
+constexpr Condition has_example{"The bundled dragon was not found.",
+                                [](const Workspace& w) { return !w.files.example.empty(); }};
 
-constexpr Condition can_import{
-    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a cage first. Leave cage editing."};
+constexpr Condition can_import{"Open a cage first. Leave cage editing.", [](const Workspace& w) {
+                                 return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w);
+                               }};
 constexpr Condition can_import_animation{
-    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a model first. Leave cage editing."};
+    "Open a model first. Leave cage editing.",
+    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); }};
 constexpr Condition can_import_shapes{
-    [](const Workspace& w) { return w.document.has_faces() && can_import_animation(w); },
-    "Open a model with faces first. Leave cage editing."};
-constexpr Condition can_export_animation{[](const Workspace& w) {
-                                           return is_movable(w) && w.document.timeline().has_poses() &&
-                                                  !is_editing_cage(w.document);
-                                         },
-                                         "No keys yet: pose the model and set a key (I)."};
+    "Open a model with faces first. Leave cage editing.",
+    [](const Workspace& w) { return w.document.has_faces() && can_import_animation(w); }};
+constexpr Condition can_export_animation{
+    "No keys yet: pose the model and set a key (I).", [](const Workspace& w) {
+      return is_movable(w) && w.document.timeline().has_poses() && !is_editing_cage(w.document);
+    }};
 
 }  // namespace
 

@@ -8,7 +8,6 @@
 #include "document/edit.h"
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
-#include "workspace/command_conditions.h"
 
 namespace viete::workspace {
 
@@ -88,6 +87,39 @@ void take_as_keyed(Workspace& w) {
   source.keyed = true;
 }
 
+// Adds `factor` times the weights of the named poses in a key. A key without a mix has the weight 1 of the
+// first equal pose: of several equal poses, only one makes the key.
+void add_weights(const document::PoseKey& key, double factor, const std::vector<document::NamedPose>& poses,
+                 std::vector<double>& weights) {
+  const auto add = [&](const auto& pose, double weight) {
+    if (pose != poses.end()) weights[static_cast<std::size_t>(pose - poses.begin())] += factor * weight;
+  };
+  for (const document::MixedPose& mixed : key.mix)
+    add(std::ranges::find(poses, mixed.name, &document::NamedPose::name), mixed.weight);
+  if (key.mix.empty())
+    add(std::ranges::find_if(poses, [&](const auto& p) { return same_pose(*key.pose, *p.pose); }), 1);
+}
+
+// The weight of each named pose in the keys of the document's frame.
+std::vector<double> key_mix(const Workspace& w) {
+  const auto& poses = w.document.library().poses;
+  const document::Timeline& timeline = w.document.timeline();
+  std::vector<double> weights(poses.size());
+  if (timeline.keys.empty()) return weights;
+  for (const document::KeyShare& share : moment_at(timeline, w.document.frame()).shares)
+    add_weights(timeline.keys[share.key], share.factor, poses, weights);
+  return weights;
+}
+
+// The weight of each named pose in the pose of the keys at this frame.
+std::vector<double> keyed_weights(const Workspace& w) {
+  std::vector<double> weights = key_mix(w);
+  const auto& poses = w.document.library().poses;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    weights[i] += weight_at(w.document.timeline(), poses[i].name, w.document.frame());
+  return weights;
+}
+
 // True if the shown pose is the mix of the keyed weights.
 bool is_keyed_mix(const Workspace& w) {
   const document::PoseSource& source = w.document.source();
@@ -150,30 +182,6 @@ void play(Workspace& w, double seconds) {
   stop_playing(w);
 }
 
-// Adds `factor` times the weights of the named poses in a key. A key without a mix has the weight 1 of the
-// first equal pose: of several equal poses, only one makes the key.
-void add_weights(const document::PoseKey& key, double factor, const std::vector<document::NamedPose>& poses,
-                 std::vector<double>& weights) {
-  const auto add = [&](const auto& pose, double weight) {
-    if (pose != poses.end()) weights[static_cast<std::size_t>(pose - poses.begin())] += factor * weight;
-  };
-  for (const document::MixedPose& mixed : key.mix)
-    add(std::ranges::find(poses, mixed.name, &document::NamedPose::name), mixed.weight);
-  if (key.mix.empty())
-    add(std::ranges::find_if(poses, [&](const auto& p) { return same_pose(*key.pose, *p.pose); }), 1);
-}
-
-// The weight of each named pose in the keys of the document's frame.
-std::vector<double> key_mix(const Workspace& w) {
-  const auto& poses = w.document.library().poses;
-  const document::Timeline& timeline = w.document.timeline();
-  std::vector<double> weights(poses.size());
-  if (timeline.keys.empty()) return weights;
-  for (const document::KeyShare& share : moment_at(timeline, w.document.frame()).shares)
-    add_weights(timeline.keys[share.key], share.factor, poses, weights);
-  return weights;
-}
-
 }  // namespace
 
 std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
@@ -202,14 +210,6 @@ bool has_unkeyed_pose(const Workspace& w) {
 void go_to_frame(Workspace& w, double frame) {
   if (is_dragging(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
   leave_for(w, std::clamp<double>(frame, document::Timeline::least_frame, document::Timeline::largest_frame));
-}
-
-std::vector<double> keyed_weights(const Workspace& w) {
-  std::vector<double> weights = key_mix(w);
-  const auto& poses = w.document.library().poses;
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    weights[i] += weight_at(w.document.timeline(), poses[i].name, w.document.frame());
-  return weights;
 }
 
 std::vector<double> shown_weights(const Workspace& w) {
@@ -286,11 +286,6 @@ void add_unkeyed_to_undo(Workspace& w, bool show) {
   see(w);
   w.messages.info(shown ? "The pose at this frame is not keyed; set a key (I) to keep it."
                         : "Undo restores " + base::counted(count, "unkeyed pose") + ".");
-}
-
-void show_timeline(Workspace& w) {
-  w.preferences.layout.timeline = true;
-  w.view.time.seen = fitting(w.document.timeline());
 }
 
 void start_playing(Workspace& w) {

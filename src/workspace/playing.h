@@ -21,8 +21,6 @@ void go_to_frame(Workspace& workspace, double frame);
 /// Goes to the next or previous frame with a key. From the last key, goes to the first key, and vice versa.
 void go_to_key(Workspace& workspace, bool forward);
 
-/// The weight of each named pose in the pose of the keys at this frame.
-std::vector<double> keyed_weights(const Workspace& workspace);
 /// The weight of each named pose in the current pose, from the sliders or from the keys at this frame. If
 /// there are keyed weights, an edit of the keyed pose does not change them, unless it resets the pose.
 std::vector<double> shown_weights(const Workspace& workspace);
@@ -43,9 +41,6 @@ void change_mix(Workspace& workspace, const std::function<bool()>& change);
 /// Adds the poses of Timeline::unkeyed to the undo history of a newly opened document. If `show` is true and
 /// the document's pose equals the pose of the keys, also shows the last pose of Timeline::unkeyed.
 void add_unkeyed_to_undo(Workspace& workspace, bool show);
-
-/// Opens the timeline and makes all keys visible.
-void show_timeline(Workspace& workspace);
 
 void start_playing(Workspace& workspace);
 /// Stops playback and rounds the frame to an integer.

@@ -7,7 +7,6 @@
 #include "document/elements.h"
 #include "document/probes.h"
 #include "interact/cursor_projection.h"
-#include "interact/shaping.h"
 
 namespace viete::workspace {
 
@@ -48,8 +47,8 @@ interact::Anchor anchor_of(const Workspace& w) {
 mesh::Point beside_target(const Workspace& w, const glm::vec2& cursor) {
   auto& camera = w.view.camera;
   const glm::dvec3 target(camera.pose().target);
-  const interact::CursorProjection projection(target, camera, w.view.viewport);
-  const auto at = projection.in_plane(-glm::dvec3(camera.forward()), camera.ray(cursor, w.view.viewport));
+  const interact::CursorProjection projection(target, camera);
+  const auto at = projection.in_plane(-glm::dvec3(camera.forward()), camera.ray(cursor));
   return w.document.space().to_file(at.value_or(target));
 }
 
@@ -72,8 +71,8 @@ void hide(interact::Sight& sight, const Seen& points, std::span<const mesh::Tria
 
 // In the result, elements behind the model or behind faces of the cage are hidden.
 interact::Sight sight_of(const Workspace& w) {
-  interact::Sight sight(w.view.camera, w.view.viewport);
-  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
+  interact::Sight sight(w.view.camera);
+  const interact::Projector project(w.document.space(), w.view.camera);
   Seen points;
   if (w.view.options.model && w.document.model().surface) {
     const mesh::Surface& model = *w.document.model().surface;
@@ -98,13 +97,13 @@ interact::Sight sight_of(const Workspace& w) {
 }  // namespace
 
 std::optional<mesh::Point> model_under(const Workspace& w, const glm::vec2& cursor) {
-  return pick_model(w.document, w.frame.posed, w.view.camera.ray(cursor, w.view.viewport));
+  return pick_model(w.document, w.frame.posed, w.view.camera.ray(cursor));
 }
 
 mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
   if (w.document.has_cage() && w.view.options.cage) {
-    const auto vertex = interact::pick_element(w.document, document::ElementKind::vertex, w.view.camera,
-                                               w.view.viewport, cursor);
+    const auto vertex =
+        interact::pick_element(w.document, document::ElementKind::vertex, w.view.camera, cursor);
     if (vertex) return w.document.pose().positions[vertex->index];
   }
   const auto on_model = model_under(w, cursor);
@@ -113,9 +112,9 @@ mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
 
 const interact::Sight* SightCache::of(const Workspace& w) {
   if (!w.view.options.select_visible) return nullptr;
-  const Picture now{
-      w.view.camera.pose(),          w.view.viewport,      w.document.revisions(),    w.frame.posed.frame,
-      w.frame.posed.vertices.data(), w.view.options.model, w.document.groups().hidden};
+  const Picture now{w.view.camera.pose(),      w.view.camera.viewport,        w.document.revisions(),
+                    w.frame.posed.frame,       w.frame.posed.vertices.data(), w.view.options.model,
+                    w.document.groups().hidden};
   if (picture_ != now) {
     picture_ = now;
     sight_.emplace(sight_of(w));
@@ -144,7 +143,7 @@ std::optional<interact::Gizmo> gizmo_of(const Workspace& w) {
   const bool turning = interaction.drag && interaction.drag->tool() != interact::Tool::move;
   const glm::dvec3& center = turning ? interaction.drag->grip().anchor.center : anchor.center;
   const glm::dmat3& axes = interaction.drag ? interaction.drag->grip().anchor.axes : anchor.axes;
-  return make_gizmo(tool, in_view(w.document, center), axes, w.view.camera, w.view.viewport);
+  return make_gizmo(tool, in_view(w.document, center), axes, w.view.camera);
 }
 
 interact::Grip grip_of(const Workspace& w) {
@@ -153,7 +152,7 @@ interact::Grip grip_of(const Workspace& w) {
 
 std::optional<interact::AxisWidget> axis_widget_of(const Workspace& w) {
   const bool shown = w.view.options.axes && w.view.options.panels && w.document.model().surface;
-  return shown ? interact::axis_widget(w.view.camera, w.view.viewport) : std::nullopt;
+  return shown ? interact::axis_widget(w.view.camera) : std::nullopt;
 }
 
 void Pointer::frame(Workspace& w, const PointerInput& input) {
@@ -192,13 +191,13 @@ void Pointer::turn_wheel(Workspace& w, const PointerInput& input) {
     const float radius = w.view.brush.radius * factor;
     w.view.brush.radius = std::clamp(radius, document::Brush::least_radius, document::Brush::largest_radius);
   } else {
-    w.view.camera.zoom(input.wheel, input.position, w.view.viewport);
+    w.view.camera.zoom(input.wheel, input.position);
   }
 }
 
 std::optional<interact::Pick> Pointer::element_under(const Workspace& w, const glm::vec2& cursor) {
   if (!shows_selectable(w)) return std::nullopt;
-  return pick_element(w.document, w.view.camera, w.view.viewport, cursor, sight_.of(w));
+  return pick_element(w.document, w.view.camera, cursor, sight_.of(w));
 }
 
 // Priority under the cursor: axis widget, armed tool, paint tool, gizmo handle, element.
@@ -219,8 +218,7 @@ void Pointer::hover(Workspace& w, const PointerInput& input) {
   interaction.handle = free ? handle_under(w, input.position, is_small(w, pick)) : std::nullopt;
   if (interaction.handle) pick.reset();
   interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
-  interaction.crowded =
-      pick && is_crowded(w.document, w.view.camera, w.view.viewport, input.position, sight_.of(w));
+  interaction.crowded = pick && is_crowded(w.document, w.view.camera, input.position, sight_.of(w));
 }
 
 void Pointer::press(Workspace& w, const PointerInput& input) {
@@ -301,7 +299,7 @@ void Pointer::press_left(Workspace& w, const PointerInput& input) {
   clicked_ = false;
   grabbed_ = element_under(w, press_);
   handle_ = handle_under(w, press_, is_small(w, grabbed_));
-  crowded_ = is_crowded(w.document, w.view.camera, w.view.viewport, press_, sight_.of(w));
+  crowded_ = is_crowded(w.document, w.view.camera, press_, sight_.of(w));
 }
 
 // Handles a press with an armed selection tool. The brush selects at once; box and lasso begin with a drag.
@@ -342,10 +340,10 @@ void Pointer::move(Workspace& w, const PointerInput& input) {
       if (delta != glm::vec2(0) && (travelled_ || button_ != right_button)) w.view.camera.orbit(delta);
       break;
     case Gesture::panning:
-      if (delta != glm::vec2(0)) w.view.camera.pan(delta, w.view.viewport);
+      if (delta != glm::vec2(0)) w.view.camera.pan(delta);
       break;
     case Gesture::zooming:
-      if (delta.y != 0) w.view.camera.zoom(-0.05f * delta.y, press_, w.view.viewport);
+      if (delta.y != 0) w.view.camera.zoom(-0.05f * delta.y, press_);
       break;
     default: break;
   }
@@ -401,8 +399,7 @@ void Pointer::transform(Workspace& w, const PointerInput& input) {
   if (input.backspace) drag.backspace();
   for (const char c : input.typed) changed |= drag.type(c);
   changed |= soften_by_wheel(w, input.wheel);
-  if (changed)
-    drag.update(w.document, {input.position, input.ctrl, input.shift}, w.view.camera, w.view.viewport);
+  if (changed) drag.update(w.document, {input.position, input.ctrl, input.shift}, w.view.camera);
   if (!input.enter) return;
   commit_drag(w);
   finish(w, Gesture::ignored);
@@ -422,16 +419,15 @@ void Pointer::brush_on(Workspace& w, const PointerInput& input) {
   w.view.interaction.cursor = input.position;
   for (const glm::vec2& at : steps_between(last_.position, input.position, 0.5f * radius))
     w.document.changed_selection().apply(
-        pick_elements_in_circle(w.document, w.view.camera, w.view.viewport, at, radius, sight_.of(w)),
+        pick_elements_in_circle(w.document, w.view.camera, at, radius, sight_.of(w)),
         *w.view.interaction.brushing);
 }
 
 void Pointer::select_inside(Workspace& w, const PointerInput& input) {
-  const auto inside = gesture_ == Gesture::lassoing
-                          ? pick_elements_in_lasso(w.document, w.view.camera, w.view.viewport,
-                                                   w.view.interaction.lasso->line, sight_.of(w))
-                          : pick_elements_in_box(w.document, w.view.camera, w.view.viewport, press_,
-                                                 input.position, sight_.of(w));
+  const auto inside =
+      gesture_ == Gesture::lassoing
+          ? pick_elements_in_lasso(w.document, w.view.camera, w.view.interaction.lasso->line, sight_.of(w))
+          : pick_elements_in_box(w.document, w.view.camera, press_, input.position, sight_.of(w));
   document::Selection selection = w.document.selection();
   selection.apply(inside, mode_);
   set_selection(w.document, std::move(selection));
@@ -456,8 +452,7 @@ void Pointer::paint(Workspace& w, const PointerInput& input) {
     view.interaction.brush = center;
     if (!center) continue;
     const float depth = view.camera.depth(w.document.space().to_view(*center));
-    const double radius =
-        brush.radius * view.camera.per_pixel(depth, view.viewport) / w.document.space().scale;
+    const double radius = brush.radius * view.camera.per_pixel(depth) / w.document.space().scale;
     view.interaction.stroke->dab(w.document, w.frame.posed, *center, radius, input.ctrl ? 1 : brush.share);
   }
 }

@@ -5,7 +5,6 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "interact/axis_widget.h"
 #include "interact/gizmo.h"
 #include "interact/picking.h"
 #include "workspace/workspace.h"

@@ -9,7 +9,6 @@
 
 #include "document/document.h"
 #include "mesh/surface.h"
-#include "sym3/rotation.h"
 
 namespace viete::workspace {
 
@@ -23,40 +22,6 @@ struct PictureShape {
 
   friend bool operator==(const PictureShape&, const PictureShape&) = default;
 };
-
-/// View rotation in degrees: about the up axis, then about the right axis.
-struct PictureAngles {
-  double yaw = 0, pitch = 0;
-};
-
-/// An orthographic view along -z.
-class PictureView {
-public:
-  /// The points must fit into the picture.
-  struct Frame {
-    std::span<const mesh::Point> points;
-    glm::vec2 size;  ///< picture size
-    float margin;    ///< width of the empty border
-  };
-  PictureView(const PictureAngles& angles, const Frame& frame);
-
-  glm::vec2 at(const mesh::Point& p) const;
-  /// Coordinates in the view: right, up, towards the viewer.
-  mesh::Vec3 seen(const mesh::Point& p) const;
-
-private:
-  sym3::Mat3<double> turn_;
-  mesh::Point middle_{0, 0, 0};
-  glm::vec2 size_;
-  double scale_ = 1;
-};
-
-/// The brightness of a face with this normal in view coordinates.
-float lightness(const mesh::Vec3& normal);
-
-/// The front-facing polygons of the model with their brightness, sorted from back to front.
-std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
-                                    std::span<const mesh::Point> at);
 
 /// The size of a thumbnail in logical pixels.
 inline constexpr glm::vec2 pose_picture_size{56, 42};
@@ -83,12 +48,5 @@ private:
   document::UpAxis up_ = document::UpAxis::y;
   std::map<const document::WholePose*, Picture> pictures_;
 };
-
-/// A shape of the model, scaled so that the model at rest fits too. Empty without triangles.
-std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
-                                        document::UpAxis up, glm::vec2 size);
-
-/// The points rotated so that Y is up.
-std::vector<mesh::Point> upright(std::span<const mesh::Point> points, document::UpAxis up);
 
 }  // namespace viete::workspace

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "document/camera.h"
-#include "workspace/keymap.h"
+#include "workspace/command.h"
 
 namespace viete::workspace {
 

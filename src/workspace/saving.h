@@ -1,4 +1,4 @@
-// Saving, and tracking of unsaved edits.
+// Opening and saving, and tracking of unsaved edits.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "document/files_in_use.h"
+#include "files/open.h"
 #include "files/session.h"
 #include "workspace/workspace.h"
 
@@ -56,5 +57,9 @@ void save(Workspace& workspace);
 void browse_to_save_session(Workspace& workspace);
 /// Opens the browser in the session's folder to find a missing model or cage. `unopened` must be set.
 void browse_to_locate(Workspace& workspace, FileBrowser::Purpose purpose);
+
+/// Replaces the document, or adds opened poses, shapes or keys to the document. Shows warnings as messages.
+/// If the file is the example, plays the animation.
+void apply_opened(Workspace& workspace, files::Opened&& opened);
 
 }  // namespace viete::workspace

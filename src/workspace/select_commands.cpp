@@ -5,7 +5,6 @@
 
 #include "document/edit.h"
 #include "document/elements.h"
-#include "workspace/command_conditions.h"
 #include "workspace/pointer.h"
 
 namespace viete::workspace {

@@ -5,49 +5,45 @@
 #include "base/error.h"
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
-#include "workspace/command_conditions.h"
 #include "workspace/command_tables.h"
 #include "workspace/playing.h"
-#include "workspace/time_gestures.h"
+#include "workspace/time_view.h"
 
 namespace viete::workspace {
 
 namespace {
 
 constexpr Condition can_pose{
-    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a cage, add a probe or import shapes first. Leave cage editing."};
-constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
-                                    "Choose a pose in the list first. Add pose adds the current pose."};
-constexpr Condition has_mix{[](const Workspace& w) {
+    "Open a cage, add a probe or import shapes first. Leave cage editing.",
+    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !is_dragging(w); }};
+constexpr Condition has_chosen_pose{"Choose a pose in the list first. Add pose adds the current pose.",
+                                    [](const Workspace& w) { return can_pose(w) && chosen_pose(w); }};
+constexpr Condition has_mix{"All weights are 0 %: move the slider of a pose first.", [](const Workspace& w) {
                               const auto is_set = [](double weight) { return weight != 0; };
                               return can_pose(w) && std::ranges::any_of(shown_weights(w), is_set);
-                            },
-                            "All weights are 0 %: move the slider of a pose first."};
-constexpr Condition has_time{[](const Workspace& w) {
+                            }};
+constexpr Condition has_time{"No keys yet: pose the model and set a key (I).", [](const Workspace& w) {
                                return !w.document.timeline().empty() && !is_editing_cage(w.document) &&
                                       !is_dragging(w);
-                             },
-                             "No keys yet: pose the model and set a key (I)."};
+                             }};
 // Shortcuts that change the frame work only while the timeline is shown.
-constexpr Condition shows_time{[](const Workspace& w) {
+constexpr Condition shows_time{"Show the timeline first.", [](const Workspace& w) {
                                  return has_model(w) && w.preferences.layout.timeline &&
                                         !is_editing_cage(w.document) && !is_dragging(w);
-                               },
-                               "Show the timeline first."};
-constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
-                               "Show the timeline and set a key first (I)."};
-constexpr Condition has_pose_keys{
-    [](const Workspace& w) { return has_time(w) && w.document.timeline().has_poses(); },
-    "No keys yet: pose the model and set a key (I)."};
-constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !is_dragging(w); },
-                                   "Open a model first."};
-constexpr Condition has_selected_keys{
-    [](const Workspace& w) { return has_time(w) && !selected_keys(w).empty(); },
-    "Select keys in the timeline first."};
+                               }};
+constexpr Condition shows_keys{"Show the timeline and set a key first (I).",
+                               [](const Workspace& w) { return has_time(w) && shows_time(w); }};
+constexpr Condition has_pose_keys{"No keys yet: pose the model and set a key (I).", [](const Workspace& w) {
+                                    return has_time(w) && w.document.timeline().has_poses();
+                                  }};
+constexpr Condition can_key_camera{"Open a model first.",
+                                   [](const Workspace& w) { return has_model(w) && !is_dragging(w); }};
+constexpr Condition has_selected_keys{"Select keys in the timeline first.", [](const Workspace& w) {
+                                        return has_time(w) && !selected_keys(w).empty();
+                                      }};
 constexpr Condition deletes_keys{
-    [](const Workspace& w) { return has_selected_keys(w) && w.view.time.hovered; },
-    "Select keys in the timeline first and keep the pointer over the timeline."};
+    "Select keys in the timeline first and keep the pointer over the timeline.",
+    [](const Workspace& w) { return has_selected_keys(w) && w.view.time.hovered; }};
 
 template <class Edit>
 void try_edit(Workspace& w, const char* what, Edit edit) {

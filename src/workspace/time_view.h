@@ -1,44 +1,13 @@
-// State of the timeline panel: visible frames, selected keys, the running drag.
+// The timeline panel: visible frames, selected keys, and the mouse, which selects and drags keys and scrubs.
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <span>
+#include <string>
 
-#include "document/document.h"
+#include "workspace/workspace.h"
 
 namespace viete::workspace {
-
-/// The range of visible frames.
-struct FrameWindow {
-  static constexpr double least_length = 4;
-
-  double first = 0, last = 64;
-  double length() const { return last - first; }
-  double frame_at(double share) const { return first + share * length(); }
-  double share_of(double frame) const { return (frame - first) / length(); }
-
-  friend bool operator==(const FrameWindow&, const FrameWindow&) = default;
-};
-
-using KeyPlaces = std::vector<document::KeyPlace>;
-
-struct TimeView {
-  enum class What { scrub, keys, box, pan };
-  struct Drag {
-    What what;
-    double pressed;               ///< the frame at the press
-    document::Timeline before{};  ///< for What::keys: the timeline at the press
-    KeyPlaces keys{};             ///< for What::keys: the dragged keys
-    bool moved = false;
-    FrameWindow seen{};    ///< for What::pan: the visible frames at the press
-    KeyPlaces selected{};  ///< for What::box: the selection at the press
-  };
-  FrameWindow seen;
-  KeyPlaces selected;  ///< ascending
-  std::optional<Drag> drag;
-  bool hovered = false;  ///< the pointer is over the timeline
-  bool fitted = false;   ///< `seen` fits the document's timeline
-};
 
 /// The range that shows the playback range and all keys, with a margin.
 FrameWindow fitting(const document::Timeline& timeline);
@@ -47,8 +16,26 @@ FrameWindow zoomed(const FrameWindow& seen, double share, double factor);
 /// The number of frames between ruler lines, for about `lines` lines: 1, 2, 5, 10, 20 ...
 int ruler_step(const FrameWindow& seen, double lines);
 
-/// All keys, ascending. A pose key and a camera key of one frame have one place.
-KeyPlaces key_places(const document::Timeline& timeline);
-/// The frames of all keys, ascending.
-std::vector<int> key_frames(const document::Timeline& timeline);
+/// Opens the timeline and makes all keys visible.
+void show_timeline(Workspace& workspace);
+
+/// The selected keys that exist.
+KeyPlaces selected_keys(const Workspace& workspace);
+/// The keys whose easing is edited: the selected keys that have a next key. If no such key is selected, the
+/// last pose key at or before the current frame.
+KeyPlaces eased_keys(const Workspace& workspace);
+
+/// A mouse press at `frame`. If `key` is set, selects this key and starts to drag the selected keys; with
+/// `add`, only toggles this key. Otherwise starts a box selection.
+void press_keys(Workspace& workspace, double frame, const std::optional<document::KeyPlace>& key, bool add);
+/// A press in the ruler: goes to the frame.
+void press_ruler(Workspace& workspace, double frame);
+void press_pan(Workspace& workspace, double frame);
+/// Continues a drag to `frame`. For a pan, compute `frame` with Drag::seen, the frames visible at the press.
+/// A box selects only keys of the channels `rows`; an empty name: keys of poses and cameras.
+void drag_time(Workspace& workspace, double frame, std::span<const std::string> rows = {});
+void release_time(Workspace& workspace);
+/// Cancels a drag: restores the state before the press.
+void cancel_time(Workspace& workspace);
+
 }  // namespace viete::workspace

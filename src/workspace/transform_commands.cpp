@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "document/edit.h"
 #include "document/elements.h"
 #include "document/probes.h"
-#include "interact/mirror_edit.h"
-#include "workspace/command_conditions.h"
+#include "interact/grip.h"
 #include "workspace/command_tables.h"
 #include "workspace/pointer.h"
 
@@ -61,22 +59,22 @@ void copy_pose(Workspace& w) {
                   ".");
 }
 
-constexpr Condition can_grab{
-    [](const Workspace& w) { return has_selection(w) && shows_selectable(w) && !is_dragging(w); },
-    "Select a visible element first."};
+constexpr Condition can_grab{"Select a visible element first.", [](const Workspace& w) {
+                               return has_selection(w) && shows_selectable(w) && !is_dragging(w);
+                             }};
 
-constexpr Condition can_shape{[](const Workspace& w) { return can_grab(w) && !selects_probes(w); },
-                              "Select part of the cage first."};
-constexpr Condition has_copied{
-    [](const Workspace& w) { return w.panels.copied.is_of(w.document) && !is_dragging(w); },
-    "Copy a pose of this cage first."};
+constexpr Condition can_shape{"Select part of the cage first.",
+                              [](const Workspace& w) { return can_grab(w) && !selects_probes(w); }};
+constexpr Condition has_copied{"Copy a pose of this cage first.", [](const Workspace& w) {
+                                 return w.panels.copied.is_of(w.document) && !is_dragging(w);
+                               }};
 
-constexpr Condition has_mirror{
-    [](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
-    "Choose a mirror first."};
+constexpr Condition has_mirror{"Choose a mirror first.", [](const Workspace& w) {
+                                 return mirror_of(w) && has_cage(w) && !is_dragging(w);
+                               }};
 constexpr Condition has_mirrored_selection{
-    [](const Workspace& w) { return has_mirror(w) && has_selection(w) && !selects_probes(w); },
-    "Choose a mirror and select the part of the cage to copy."};
+    "Choose a mirror and select the part of the cage to copy.",
+    [](const Workspace& w) { return has_mirror(w) && has_selection(w) && !selects_probes(w); }};
 
 template <interact::Tool Use>
 Effect uses() {
@@ -92,7 +90,7 @@ Effect uses() {
 template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   auto at = w.view.interaction.cursor ? model_under(w, *w.view.interaction.cursor) : std::nullopt;
-  if (!at) at = model_under(w, w.view.viewport.middle());
+  if (!at) at = model_under(w, w.view.camera.viewport.middle());
   const glm::dvec3 target(w.view.camera.pose().target);
   Add(w.document, w.frame.posed, at.value_or(w.document.space().to_file(target)));
   w.view.interaction.hovered.reset();

@@ -4,10 +4,9 @@
 
 #include "document/brush.h"
 #include "document/elements.h"
-#include "workspace/command_conditions.h"
 #include "workspace/command_tables.h"
 #include "workspace/pointer.h"
-#include "workspace/split.h"
+#include "workspace/workspace.h"
 
 namespace viete::workspace {
 
@@ -17,11 +16,11 @@ namespace {
 Effect shows(Column column) {
   const auto shown = [column](const Workspace& w) {
     return w.view.options.panels &&
-           shown_columns(w.preferences.layout, w.view.viewport.window.x).of(column) > 0;
+           shown_columns(w.preferences.layout, w.view.camera.viewport.window.x).of(column) > 0;
   };
   const auto toggle = [column, shown](Workspace& w) {
     const bool hidden = !std::exchange(w.view.options.panels, true);
-    if (!hidden || !shown(w)) toggle_column(w.preferences.layout, column, w.view.viewport.window.x);
+    if (!hidden || !shown(w)) toggle_column(w.preferences.layout, column, w.view.camera.viewport.window.x);
   };
   return {toggle, shown};
 }
@@ -62,18 +61,19 @@ void add_looks(CommandTable& table) {
       .under("Viewpoint");
 }
 
-constexpr Condition is_split{[](const Workspace& w) { return w.view.split.on(); },
-                             "Split the view in two first."};
+constexpr Condition is_split{"Split the view in two first.",
+                             [](const Workspace& w) { return w.view.split.on(); }};
 
-constexpr Condition has_map{[](const Workspace& w) { return w.view.split.views[0].shown.values != nullptr; },
-                            "Choose a map first (Analysis, Map)."};
+constexpr Condition has_map{"Choose a map first (Analysis, Map).",
+                            [](const Workspace& w) { return w.view.split.views[0].shown.values != nullptr; }};
 
-constexpr Condition can_shade{[](const Workspace& w) { return w.document.model().splats == nullptr; },
-                              "Not available for captures, which have their own colours."};
-constexpr Condition can_show_edges{[](const Workspace& w) { return !has_model(w) || w.document.has_faces(); },
-                                   "Not available for captures and points, which have no edges."};
-constexpr Condition has_vertex{[](const Workspace& w) { return w.view.vertex.vertex.has_value(); },
-                               "Inspect a vertex first."};
+constexpr Condition can_shade{"Not available for captures, which have their own colours.",
+                              [](const Workspace& w) { return w.document.model().splats == nullptr; }};
+constexpr Condition can_show_edges{
+    "Not available for captures and points, which have no edges.",
+    [](const Workspace& w) { return !has_model(w) || w.document.has_faces(); }};
+constexpr Condition has_vertex{"Inspect a vertex first.",
+                               [](const Workspace& w) { return w.view.vertex.vertex.has_value(); }};
 
 // Opens the vertex inspector. If the column of the inspector is hidden, shows the column.
 void show_sum_at(Workspace& w, std::uint32_t vertex) {
@@ -81,13 +81,13 @@ void show_sum_at(Workspace& w, std::uint32_t vertex) {
   w.view.vertex.appearing = true;
   PanelLayout& layout = w.preferences.layout;
   for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
-  if (shown_columns(layout, w.view.viewport.window.x).methods <= 0)
-    toggle_column(layout, Column::methods, w.view.viewport.window.x);
+  if (shown_columns(layout, w.view.camera.viewport.window.x).methods <= 0)
+    toggle_column(layout, Column::methods, w.view.camera.viewport.window.x);
 }
 
 void pick_vertex(Workspace& w) {
-  const glm::vec2 at = w.view.interaction.cursor.value_or(w.view.viewport.middle());
-  const auto hit = pick_corners(w.document, w.frame.posed, w.view.camera.ray(at, w.view.viewport));
+  const glm::vec2 at = w.view.interaction.cursor.value_or(w.view.camera.viewport.middle());
+  const auto hit = pick_corners(w.document, w.frame.posed, w.view.camera.ray(at));
   if (!hit) return w.messages.info("Point at a vertex of the model first.");
   const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
   show_sum_at(w, hit->corners[static_cast<std::size_t>(nearest)]);

@@ -3,7 +3,6 @@
 
 #include <deque>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "document/checks.h"
 #include "document/elements.h"
-#include "document/probes.h"
 #include "pose/deformer.h"
 
 namespace viete::workspace {
@@ -56,12 +54,7 @@ std::vector<mesh::Point> around_probes(const document::Document& document) {
 
 void widen(std::vector<glm::vec3>& points) {
   constexpr float least = 0.12F;  // in view units: the model's diagonal is 2
-  glm::vec3 low = points[0], high = points[0];
-  for (const auto& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const glm::vec3 middle = 0.5F * (low + high);
+  const glm::vec3 middle = document::center_of(points);
   for (int k = 0; k < 3; ++k) {
     glm::vec3 offset(0);
     offset[k] = least;
@@ -150,7 +143,7 @@ float offer_height(const Workspace& w) {
   constexpr float usual = 152, with_cage_beside = 198;
   if (!may_offer_cage(w) || w.document.is_movable()) return 0;
   const float height = w.document.cage_beside().empty() ? usual : with_cage_beside;
-  return std::min(height, 0.5f * w.view.viewport.size.y);
+  return std::min(height, 0.5f * w.view.camera.viewport.size.y);
 }
 
 void frame_all(Workspace& w, bool eased) {
@@ -162,7 +155,7 @@ void frame_all(Workspace& w, bool eased) {
   const mesh::Bounds& model = document.model().bounds;
   if (!document.has_cage() || !contains(document.cage_file().bounds, model))
     std::ranges::copy(corners(model), std::back_inserter(points));
-  w.view.camera.frame(in_view(document.space(), points), w.view.viewport, eased, offer_height(w));
+  w.view.camera.frame(in_view(document.space(), points), eased, offer_height(w));
 }
 
 void frame_other_cage(Workspace& w) {
@@ -177,7 +170,7 @@ void frame_selection(Workspace& w, bool eased) {
   std::vector<mesh::Point> points;
   for (const auto v : moving_vertices(document)) points.push_back(document.pose().positions[v]);
   if (document.selection().kind() == document::ElementKind::probe) points = around_probes(document);
-  w.view.camera.frame(in_view(document.space(), points), w.view.viewport, eased);
+  w.view.camera.frame(in_view(document.space(), points), eased);
 }
 
 void frame_worst(Workspace& w) {
@@ -187,7 +180,7 @@ void frame_worst(Workspace& w) {
   if (worst >= surface.positions.size()) return;
   const auto box =
       cube_around(w.frame.posed.at(surface, worst), share * w.document.model().bounds.diagonal());
-  w.view.camera.frame(in_view(w.document.space(), corners(box)), w.view.viewport, true);
+  w.view.camera.frame(in_view(w.document.space(), corners(box)), true);
 }
 
 void toggle_finding(Workspace& w, std::size_t index) {
@@ -220,7 +213,7 @@ void frame_finding(Workspace& w) {
       points.push_back(
           document.space().to_view(of_cage ? document.pose().positions[v] : w.frame.posed.at(surface, v)));
   widen(points);
-  w.view.camera.frame(points, w.view.viewport, true);
+  w.view.camera.frame(points, true);
 }
 
 void begin_widget_edit(Workspace& w) {
@@ -257,7 +250,7 @@ void split_view(Workspace& w, std::size_t count) {
   while (split.count() < count)
     split.views.push_back({{unused_deformer(w), w.document.method(), w.view.options.field}});
   split.cameras.assign(split.count(), w.view.camera.pose());
-  w.view.viewport = viewport_of(split, w.view.viewport, 0);
+  w.view.camera.viewport = viewport_of(split, w.view.camera.viewport, 0);
 }
 
 void enter_view(Workspace& w, std::size_t view) {
@@ -269,7 +262,7 @@ void enter_view(Workspace& w, std::size_t view) {
     w.view.camera.set_pose(split.cameras[view]);
   }
   split.active = view;
-  w.view.viewport = viewport_of(split, w.view.viewport, view);
+  w.view.camera.viewport = viewport_of(split, w.view.camera.viewport, view);
 }
 
 document::CameraPose camera_of(const Workspace& w, std::size_t view) {
@@ -290,6 +283,64 @@ document::SideViews side_views(const Workspace& w) {
   if (!split.linked)
     for (std::size_t view = 1; view < split.count(); ++view) sides.cameras.push_back(last_camera_of(w, view));
   return sides;
+}
+
+document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view) {
+  const glm::ivec2 grid = split.count() == 4 ? glm::ivec2(2, 2) : glm::ivec2(int(split.count()), 1);
+  const int at = static_cast<int>(view);
+  document::Viewport seen = whole;
+  seen.pane_size = 1.0f / glm::vec2(grid);
+  seen.pane = seen.pane_size * glm::vec2(at % grid.x, at / grid.x);
+  return seen;
+}
+
+void put_side_views(Split& split, const document::SideViews& sides) {
+  split.views.resize(1);
+  for (const document::SideView& side : sides.sides) split.views.push_back({side});
+  split.active = 0;
+  split.before.reset();
+  if (split.on()) split.linked = sides.cameras.empty();
+  split.cameras = sides.cameras;
+  if (!split.linked)
+    split.cameras.insert(split.cameras.begin(), document::CameraPose{});  // for the active view; unused
+}
+
+std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place) {
+  const glm::vec2 at = (place - whole.origin) / whole.size;
+  for (std::size_t view = 0; view < split.count(); ++view) {
+    const document::Viewport v = viewport_of(split, whole, view);
+    if (glm::all(glm::greaterThanEqual(at, v.pane)) && glm::all(glm::lessThan(at, v.pane + v.pane_size)))
+      return view;
+  }
+  return split.active;
+}
+
+void forget_findings(CheckState& checks) {
+  take_findings(checks, {});
+  checks.fresh = false;
+}
+
+void take_findings(CheckState& checks, std::vector<document::Finding> findings) {
+  checks.findings = std::move(findings);
+  checks.show(std::nullopt);
+  checks.fresh = true;
+}
+
+std::optional<std::size_t> outside_finding(const CheckState& checks) {
+  const auto found = std::ranges::find_if(checks.findings, [](const document::Finding& f) {
+    return f.defect == document::Defect::vertices_outside && f.subject == document::Subject::model;
+  });
+  if (found == checks.findings.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - checks.findings.begin());
+}
+
+std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most) {
+  if (!checks.shown) return {};
+  if (checks.element) return {*checks.element};
+  const std::size_t all = checks.findings[*checks.shown].size(), count = std::min(all, most);
+  std::vector<std::size_t> elements(count);
+  for (std::size_t i = 0; i < count; ++i) elements[i] = i * all / count;
+  return elements;
 }
 
 }  // namespace viete::workspace

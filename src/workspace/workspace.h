@@ -1,6 +1,7 @@
 // A document and the state around it: view, files, running work, messages, panels.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -8,20 +9,23 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "analysis/field.h"
 #include "base/background.h"
 #include "document/animation.h"
 #include "document/brush.h"
 #include "document/cage_making.h"
 #include "document/camera.h"
+#include "document/checks.h"
 #include "document/document.h"
 #include "document/edit.h"
 #include "document/handling.h"
 #include "document/mirror.h"
-#include "document/pin_posing.h"
+#include "document/probes.h"
 #include "document/view_options.h"
 #include "files/open.h"
 #include "files/recovery.h"
@@ -29,17 +33,85 @@
 #include "interact/transform.h"
 #include "interact/transform_drag.h"
 #include "pose/maps.h"
-#include "workspace/check_state.h"
 #include "workspace/file_browser.h"
 #include "workspace/frame_stats.h"
 #include "workspace/messages.h"
 #include "workspace/pose_picture.h"
 #include "workspace/preferences.h"
-#include "workspace/split.h"
-#include "workspace/time_view.h"
 #include "workspace/wish.h"
 
 namespace viete::workspace {
+
+/// A view, and the results of its last picture. The first view has the document's settings, see
+/// view_settings().
+struct SplitView : document::SideView {
+  FieldView shown{};
+  FrameStats stats{};
+  /// Error of the positions in single precision, relative to the diagonal of the cage. Does not include
+  /// errors of stitching. 0 if positions are computed in double precision.
+  double fused_error = 0;
+  std::optional<double> exp_error{};  ///< largest relative error of sampled exponentials, if there are any
+  bool binding = false;
+  std::string problem{};  ///< why the view shows no model
+};
+
+struct Split {
+  static constexpr std::size_t most = document::SideViews::most + 1;
+
+  std::vector<SplitView> views = std::vector<SplitView>(1);
+  bool linked = true;                          ///< all views share one camera
+  std::size_t active = 0;                      ///< the view with the gizmo and the current camera
+  std::vector<document::CameraPose> cameras;   ///< if not linked: one per view; unused for the active view
+  std::optional<document::CameraPose> before;  ///< the camera before the view was split
+
+  std::size_t count() const { return views.size(); }
+  bool on() const { return count() > 1; }
+  /// All views except the first.
+  std::span<SplitView> sides() { return std::span(views).subspan(1); }
+  std::span<const SplitView> sides() const { return std::span(views).subspan(1); }
+};
+
+/// Returns `whole` with the pane of the view.
+document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view);
+/// The view at a position in the window.
+std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place);
+
+/// Replaces the views and activates the first view.
+void put_side_views(Split& split, const document::SideViews& sides);
+
+struct CheckState {
+  bool running = false;
+  double done = 0;  ///< in [0, 1]
+  std::vector<document::Finding> findings;
+  std::optional<std::size_t> shown;    ///< index of the finding that is highlighted in the view
+  std::optional<std::size_t> element;  ///< index of the only highlighted element; nullopt: all elements
+  bool fresh = false;                  ///< the findings have not been displayed yet
+  std::size_t outside = 0;             ///< model vertices outside the cage that was checked last
+  bool pushed_out = false;             ///< the last change of the cage has increased `outside`
+
+  void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
+    shown = finding;
+    element = one;
+    ++revision_;
+  }
+  /// Increases when the findings or the highlighted elements change.
+  unsigned long revision() const { return revision_; }
+
+private:
+  unsigned long revision_ = 0;
+};
+
+/// Clears the findings, for example after a change of the cage.
+void forget_findings(CheckState& checks);
+
+/// The index of the finding about model vertices outside the cage; nullopt if all vertices are inside.
+std::optional<std::size_t> outside_finding(const CheckState& checks);
+
+/// Replaces the findings. Afterwards no finding is shown.
+void take_findings(CheckState& checks, std::vector<document::Finding> findings);
+
+/// Indices of highlighted elements of the shown finding: at most `most`, evenly spread.
+std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most);
 
 /// The pose of the keys at a frame.
 struct TimedPose {
@@ -187,11 +259,42 @@ struct CopiedPose {
   bool is_of(const document::Document& document) const { return cage && cage == document.cage(); }
 };
 
+/// The range of visible frames.
+struct FrameWindow {
+  static constexpr double least_length = 4;
+
+  double first = 0, last = 64;
+  double length() const { return last - first; }
+  double frame_at(double share) const { return first + share * length(); }
+  double share_of(double frame) const { return (frame - first) / length(); }
+
+  friend bool operator==(const FrameWindow&, const FrameWindow&) = default;
+};
+
+using document::KeyPlaces;
+
+struct TimeView {
+  enum class What { scrub, keys, box, pan };
+  struct Drag {
+    What what;
+    double pressed;               ///< the frame at the press
+    document::Timeline before{};  ///< for What::keys: the timeline at the press
+    KeyPlaces keys{};             ///< for What::keys: the dragged keys
+    bool moved = false;
+    FrameWindow seen{};    ///< for What::pan: the visible frames at the press
+    KeyPlaces selected{};  ///< for What::box: the selection at the press
+  };
+  FrameWindow seen;
+  KeyPlaces selected;  ///< ascending
+  std::optional<Drag> drag;
+  bool hovered = false;  ///< the pointer is over the timeline
+  bool fitted = false;   ///< `seen` fits the document's timeline
+};
+
 /// The display of the document, and the tools. Written by commands, panels and the pointer.
 struct View {
   document::ViewOptions options;
   document::Camera camera;
-  document::Viewport viewport;
   Split split;
   TimeView time;
   VertexView vertex;
@@ -282,6 +385,13 @@ struct Workspace {
   FrameResults frame;
   About about;  ///< written by the program at the start
 };
+
+/// True during a drag of elements or keys, a mask stroke or a brush selection. Other edits must wait.
+inline bool is_dragging(const Workspace& w) {
+  const auto& time = w.view.time.drag;
+  return w.view.interaction.drag || w.view.interaction.stroke || w.view.interaction.brushing ||
+         (time && time->what == TimeView::What::keys);
+}
 
 /// True if motion in the view is drawn at half the resolution. The default is true for software rendering.
 inline bool draws_coarsely(const Workspace& workspace) {

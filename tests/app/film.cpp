@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "app/offscreen_viewer.h"
 #include "base/error.h"
 #include "base/os.h"
 #include "files/output.h"
@@ -107,4 +108,15 @@ TEST_CASE("ffmpeg_makes_films_of_every_format_and_quality" * doctest::test_suite
       CHECK_THROWS_AS(files::check_output(film, files::Content::picture, {}, files::Force::none),
                       base::Error);
     }
+}
+
+TEST_CASE("the_command_for_a_film_has_the_rate_and_the_names_of_the_pictures") {
+  app::PictureRun run{"/a b/it's 5%_####.png", {3, 4, 5}, 23.976};
+  const std::string even = " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p ";
+  CHECK(app::ffmpeg_command(run) ==
+        "ffmpeg -framerate 23.976 -start_number 3 -i '/a b/it'\\''s 5%%_%04d.png'" + even +
+            "'/a b/it'\\''s 5%.mp4'");
+  run = {"/##.png", {3, 4}, 24};
+  CHECK(app::ffmpeg_command(run) ==
+        "ffmpeg -framerate 24 -start_number 3 -i '/%02d.png'" + even + "'/film.mp4'");
 }

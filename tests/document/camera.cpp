@@ -1,6 +1,7 @@
 #include "document/camera.h"
 
-#include "interact/axis_widget.h"
+#include "interact/gizmo.h"
+#include "support/camera.h"
 #include "support/commands.h"
 #include "support/cube.h"
 
@@ -11,10 +12,10 @@ using namespace viete;
 namespace {
 
 const Viewport whole_view{{1000, 800}, {0, 0}, {1000, 800}};
-const Viewport beside_panel{{1000, 800}, {320, 0}, {680, 774}};
 
-glm::vec2 pixel(const Camera& camera, const Viewport& v, const glm::vec3& p) {
-  const glm::vec4 clip = camera.projection(v) * camera.view() * glm::vec4(p, 1);
+glm::vec2 pixel(const Camera& camera, const glm::vec3& p) {
+  const Viewport& v = camera.viewport;
+  const glm::vec4 clip = camera.projection() * camera.view() * glm::vec4(p, 1);
   return {(0.5f + 0.5f * clip.x / clip.w) * v.window.x, (0.5f - 0.5f * clip.y / clip.w) * v.window.y};
 }
 
@@ -34,8 +35,9 @@ OpenedSurface bottle(std::size_t axis, const std::string& format = "OBJ") {
 
 TEST_CASE("the_target_is_in_the_middle_of_the_free_part_of_the_window") {
   Camera camera;
-  for (const auto& v : {whole_view, beside_panel}) {
-    const glm::vec2 at = pixel(camera, v, camera.pose().target);
+  for (const auto& v : {whole_view, test::camera().viewport}) {
+    camera.viewport = v;
+    const glm::vec2 at = pixel(camera, camera.pose().target);
     CHECK(at.x == doctest::Approx(v.origin.x + 0.5f * v.size.x).epsilon(1e-4));
     CHECK(at.y == doctest::Approx(v.origin.y + 0.5f * v.size.y).epsilon(1e-4));
   }
@@ -46,12 +48,12 @@ TEST_CASE("framed_points_fit_the_uncovered_free_part_of_the_window_and_nearly_fi
   for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1 : 5, i & 2 ? -2 : 2, i & 4 ? 7 : 8});
   for (const bool orthographic : {false, true})
     for (const float covered : {0.0f, 220.0f}) {
-      Camera camera;
+      Camera camera = test::camera();
       camera.set_orthographic(orthographic);
-      camera.frame(points, beside_panel, false, covered);
+      camera.frame(points, false, covered);
       glm::vec2 low(1e9f), high(-1e9f);
       for (const auto& p : points) {
-        const glm::vec2 at = pixel(camera, beside_panel, p);
+        const glm::vec2 at = pixel(camera, p);
         low = glm::min(low, at);
         high = glm::max(high, at);
       }
@@ -64,24 +66,25 @@ TEST_CASE("framed_points_fit_the_uncovered_free_part_of_the_window_and_nearly_fi
 }
 
 TEST_CASE("a_single_point_is_framed_from_a_finite_distance") {
-  Camera camera;
+  Camera camera = test::camera();
   const glm::vec3 one[] = {{1, 2, 3}};
-  camera.frame(one, whole_view, false);
+  camera.frame(one, false);
   CHECK(camera.pose().target == one[0]);
   CHECK(camera.pose().distance > 0.1f);
 }
 
 TEST_CASE("panning_moves_the_target_with_the_hand") {
   Camera camera;
+  camera.viewport = whole_view;
   const glm::vec3 target = camera.pose().target;
-  camera.pan({30, -20}, whole_view);
-  const glm::vec2 at = pixel(camera, whole_view, target);
+  camera.pan({30, -20});
+  const glm::vec2 at = pixel(camera, target);
   CHECK(at.x == doctest::Approx(530).epsilon(1e-3));
   CHECK(at.y == doctest::Approx(380).epsilon(1e-3));
 }
 
 TEST_CASE("orbiting_keeps_target_and_distance_and_stops_at_the_poles") {
-  Camera camera;
+  Camera camera = test::camera();
   camera.orbit({100, 10000});
   CHECK(camera.pose().pitch == doctest::Approx(1.5707963));
   CHECK(glm::distance(camera.eye(), camera.pose().target) == doctest::Approx(camera.pose().distance));
@@ -96,7 +99,7 @@ TEST_CASE("standard_views_look_along_the_axes_after_150_ms") {
                {StandardView::right, {-1, 0, 0}}, {StandardView::left, {1, 0, 0}},
                {StandardView::top, {0, -1, 0}},   {StandardView::bottom, {0, 1, 0}}};
   for (const auto& c : cases) {
-    Camera camera;
+    Camera camera = test::camera();
     camera.look(c.view);
     CHECK(camera.moving());
     camera.animate(0.1f);
@@ -108,13 +111,13 @@ TEST_CASE("standard_views_look_along_the_axes_after_150_ms") {
 }
 
 TEST_CASE("orthographic_shows_the_target_plane_as_perspective_does_and_every_depth_alike") {
-  Camera camera;
+  Camera camera = test::camera();
   const glm::vec3 target = camera.pose().target, side = target + 0.4f * camera.right() - 0.2f * camera.up();
-  const glm::vec2 before = pixel(camera, beside_panel, side);
+  const glm::vec2 before = pixel(camera, side);
   camera.set_orthographic(true);
-  CHECK(glm::distance(pixel(camera, beside_panel, side), before) < 0.05f);
+  CHECK(glm::distance(pixel(camera, side), before) < 0.05f);
   const glm::vec3 behind_the_eye = side - 9.0f * camera.forward();
-  CHECK(glm::distance(pixel(camera, beside_panel, behind_the_eye), before) < 0.05f);
+  CHECK(glm::distance(pixel(camera, behind_the_eye), before) < 0.05f);
   camera.set_orthographic(false);
   CHECK(camera.pose() == CameraPose{});
 }
@@ -122,15 +125,15 @@ TEST_CASE("orthographic_shows_the_target_plane_as_perspective_does_and_every_dep
 TEST_CASE("zooming_keeps_the_point_under_the_cursor_in_orthographic_views_at_any_depth") {
   const glm::vec2 cursor(700, 250);
   for (const bool orthographic : {false, true}) {
-    Camera camera;
+    Camera camera = test::camera();
     camera.set_orthographic(orthographic);
-    const Ray ray = camera.ray(cursor, beside_panel);
+    const Ray ray = camera.ray(cursor);
     const double target = camera.pose().distance / glm::dot(ray.direction, glm::dvec3(camera.forward()));
     for (const double depth : orthographic ? std::vector{0.0, 3.0, 9.0} : std::vector{target}) {
       Camera zoomed = camera;
       const glm::vec3 under(ray.origin + depth * ray.direction);
-      zoomed.zoom(3, cursor, beside_panel);
-      CHECK(glm::distance(pixel(zoomed, beside_panel, under), cursor) < (orthographic ? 0.1f : 0.5f));
+      zoomed.zoom(3, cursor);
+      CHECK(glm::distance(pixel(zoomed, under), cursor) < (orthographic ? 0.1f : 0.5f));
       CHECK(zoomed.pose().distance < camera.pose().distance);
     }
   }
@@ -138,19 +141,18 @@ TEST_CASE("zooming_keeps_the_point_under_the_cursor_in_orthographic_views_at_any
 
 TEST_CASE("a_ray_holds_all_points_under_its_pixel") {
   for (const bool orthographic : {false, true}) {
-    Camera camera;
+    Camera camera = test::camera();
     camera.set_orthographic(orthographic);
     const glm::vec2 cursor(430, 611);
-    const Ray ray = camera.ray(cursor, beside_panel);
+    const Ray ray = camera.ray(cursor);
     CHECK(glm::length(ray.direction) == doctest::Approx(1));
     for (const double t : {0.5, 4.0, 12.0})
-      CHECK(glm::distance(pixel(camera, beside_panel, glm::vec3(ray.origin + t * ray.direction)), cursor) <
-            0.05f);
+      CHECK(glm::distance(pixel(camera, glm::vec3(ray.origin + t * ray.direction)), cursor) < 0.05f);
   }
 }
 
 TEST_CASE("an_eased_view_stays_orthographic_switching_meanwhile_lasts_and_orbiting_ends_it") {
-  Camera camera;
+  Camera camera = test::camera();
   camera.set_orthographic(true);
   camera.look(StandardView::top);
   camera.animate(0.05f);
@@ -172,20 +174,20 @@ TEST_CASE("a_camera_clamps_every_input") {
            std::abs(p.pitch) <= 1.5708f;
   };
   for (const float x : {3e38f, -3e38f, inf, -inf, nan}) {
-    Camera camera;
+    Camera camera = test::camera();
     camera.set_pose({{x, 0, x}, x, x, x});
     CHECK(is_sane(camera.pose()));
     const glm::vec3 points[] = {{x, 0, 0}, {0, -x, 0}, {1, 2, 3}};
     for (const bool eased : {false, true}) {
-      camera.frame(points, whole_view, eased);
+      camera.frame(points, eased);
       CHECK(is_sane(camera.pose()));
       CHECK(is_sane(camera.destination()));
     }
     while (camera.animate(0.01f)) CHECK(is_sane(camera.pose()));
   }
-  Camera camera;
+  Camera camera = test::camera();
   camera.set_pose({{0, 0, 0}, farthest_camera, 0, 0});
-  for (int i = 0; i < 10000; ++i) camera.pan({800, 0}, whole_view);
+  for (int i = 0; i < 10000; ++i) camera.pan({800, 0});
   CHECK(is_sane(camera.pose()));
 }
 

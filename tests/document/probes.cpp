@@ -1,6 +1,6 @@
 #include "document/probes.h"
 
-#include "interact/placing.h"
+#include "interact/transform_drag.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/files.h"
@@ -28,6 +28,13 @@ struct Probed {
   void add(const mesh::Point& at) { REQUIRE(add_probe(w.document, {}, at)); }
   void select(std::vector<std::uint32_t> which) {
     w.document.changed_selection() = Selection(ElementKind::probe, which);
+  }
+  bool transform(Tool tool, const Transform& by) {
+    return transform_selection(w.document, tool, test::plain_grip(w.document), by);
+  }
+  void frame() {
+    w.view.camera.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
+    frame_all(w, false);
   }
 };
 
@@ -74,13 +81,11 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   p.add({-1, 0, 0});
   p.select({0, 1});
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 0, 0));
-  REQUIRE(
-      transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 0, 0})));
+  REQUIRE(p.transform(Tool::rotate, quarter({0, 0, 0})));
   CHECK(mesh::norm(probe_center(p.document(), 0) - mesh::Point{0, 1, 0}) < 1e-15);
   CHECK(mesh::norm(p.probe().pose.turn - mesh::Point{0, 0, std::acos(-1.0) / 2}) < 1e-15);
   CHECK(p.probe().place == mesh::Point{1, 0, 0});
-  REQUIRE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()),
-                              {.factors = {2, 1, 1}, .shift = {0.5, 0, 0}}));
+  REQUIRE(p.transform(Tool::move, {.factors = {2, 1, 1}, .shift = {0.5, 0, 0}}));
   const auto m = linear_part(p.probe().pose);
   CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));
   CHECK(m[3] == doctest::Approx(1).epsilon(1e-12));
@@ -94,22 +99,19 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   // The probe rotates about its position on the cage after the cage moved.
   p.document().put_carried({{{1, 5, 0}}, {{-1, 5, 0}}});
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
-  REQUIRE(
-      transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), quarter({0, 5, 0})));
+  REQUIRE(p.transform(Tool::rotate, quarter({0, 5, 0})));
   CHECK(mesh::norm(p.probe().pose.move - mesh::Point{-1, 1, 0}) < 1e-14);
 }
 
 TEST_CASE("whole_turns_of_a_probe_count_and_what_leaves_its_range_moves_nothing") {
   Probed p;
   p.add({0, 0, 0});
-  REQUIRE(transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), {.degrees = 540}));
+  REQUIRE(p.transform(Tool::rotate, {.degrees = 540}));
   CHECK(p.probe().pose.turn[2] == doctest::Approx(3 * std::acos(-1.0)).epsilon(1e-13));
   const Probe before = p.probe();
-  CHECK_FALSE(
-      transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), {.shift = {1e30, 0, 0}}));
+  CHECK_FALSE(p.transform(Tool::move, {.shift = {1e30, 0, 0}}));
   CHECK(p.probe() == before);
-  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()),
-                            {.factors = {1e12, 1, 1}}));
+  CHECK(p.transform(Tool::scale, {.factors = {1e12, 1, 1}}));
   CHECK(is_probe_stretch(p.probe().pose.stretch));
 }
 
@@ -118,8 +120,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   p.add({1, 0, 0});
   p.add({0, 1, 0});
   p.select({0});
-  p.w.view.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
-  frame_all(p.w, false);
+  p.frame();
   p.probe().pose.move = {0, 0.3, 0};
   CHECK(gizmo_of(p.w));
   CHECK(differs_from_rest(p.document()));
@@ -131,7 +132,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   CHECK(p.probe().pose.move == mesh::Point{0, 0.3, 0});
   p.select({0, 1});
   const Probe locked = p.probe();
-  transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), {.shift = {1, 0, 0}});
+  p.transform(Tool::move, {.shift = {1, 0, 0}});
   CHECK(p.probe() == locked);
   CHECK(p.probe(1).pose.move == mesh::Point{1, 0, 0});
   CHECK(test::run_command(p.w, "remove_probe"));
@@ -227,20 +228,19 @@ TEST_CASE("removing_the_last_probe_is_an_unsaved_edit") {
 
 TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
   Probed p(false);
-  p.w.view.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
-  frame_all(p.w, false);
+  p.frame();
   CHECK_FALSE(shows_selectable(p.w));
   p.add({0.9, 0.9, 0.9});
   p.add({-0.9, -0.9, 0.9});
   CHECK(shows_selectable(p.w));
   p.probe().pose.move = {0.2, 0, 0};
-  const Projector project(p.document().space(), p.w.view.camera, p.w.view.viewport);
+  const Projector project(p.document().space(), p.w.view.camera);
   const glm::vec2 at(*project(probe_center(p.document(), 0)));
-  const auto pick = pick_element(p.document(), p.w.view.camera, p.w.view.viewport, at);
+  const auto pick = pick_element(p.document(), p.w.view.camera, at);
   REQUIRE(pick);
   CHECK(pick->index == 0);
-  CHECK_FALSE(pick_element(p.document(), p.w.view.camera, p.w.view.viewport, at + glm::vec2(30, 0)));
-  CHECK(pick_elements_in_box(p.document(), p.w.view.camera, p.w.view.viewport, {0, 0}, {1000, 800}) ==
+  CHECK_FALSE(pick_element(p.document(), p.w.view.camera, at + glm::vec2(30, 0)));
+  CHECK(pick_elements_in_box(p.document(), p.w.view.camera, {0, 0}, {1000, 800}) ==
         std::vector<std::uint32_t>{0, 1});
   CHECK(test::run_command(p.w, "select_all"));
   CHECK(p.document().selection().size() == 2);

@@ -1,7 +1,7 @@
 #include "workspace/saving.h"
 
 #include "formats/read.h"
-#include "interact/placing.h"
+#include "interact/transform_drag.h"
 #include "support/commands.h"
 #include "support/files.h"
 #include "support/grips.h"

@@ -7,7 +7,7 @@
 
 #include "document/probes.h"
 #include "files/json_codec.h"
-#include "interact/placing.h"
+#include "interact/transform_drag.h"
 #include "support/files.h"
 #include "support/grips.h"
 #include "support/posed_cube.h"
@@ -29,7 +29,7 @@ namespace {
 // Returns a workspace in which no setting has its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
-  w.view.viewport = {{1000, 800}, {320, 0}, {680, 774}};
+  w.view.camera.viewport = {{1000, 800}, {320, 0}, {680, 774}};
   REQUIRE(test::load_model(w, files.model, files.cage));
   REQUIRE(add_probe(w.document, {}, {1, 1, 1}));
   Probe& probe = w.document.changed_probes().all[0];
@@ -205,7 +205,7 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
       CHECK(message.text == "Undo restores 2 unkeyed poses.");
     CHECK(back.files.saved.session == files / "a.viete");
     CHECK_FALSE(has_unsaved_edits(back));
-    back.view.viewport = w.view.viewport;
+    back.view.camera.viewport = w.view.camera.viewport;
     CHECK(session_text(session_of(back), files / "a.viete") == test::file_bytes(files / "a.viete"));
     if (w.document.library().poses.empty()) continue;
     CHECK(clear_mix(back.document, back.playback.vectors));
@@ -410,7 +410,7 @@ TEST_CASE("all_typed_values_and_views_survive_saving") {
     for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate})
       transform_selection(w.document, tool, test::plain_grip(w.document), t);
     frame_selection(w, false);
-    w.view.camera.pan({1e30f, -1e30f}, w.view.viewport);
+    w.view.camera.pan({1e30f, -1e30f});
     REQUIRE(save_session(w, files / "a.viete"));
     CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "null"));
     Workspace back = test::opened({files / "a.viete"});

@@ -2,10 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "interact/axis_widget.h"
+#include "support/camera.h"
 #include "support/cube.h"
 #include "support/grips.h"
-#include "support/viewport.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -16,9 +15,7 @@ using Kind = Constraint::Kind;
 namespace {
 
 Camera camera(float yaw = 0.65f, float pitch = 0.32f, float distance = 4, bool orthographic = false) {
-  Camera c;
-  c.set_pose({{0, 0, 0}, distance, yaw, pitch, orthographic});
-  return c;
+  return test::camera({{0, 0, 0}, distance, yaw, pitch, orthographic});
 }
 
 DragGuides guides(Tool tool, Constraint constraint, const char* typed) {
@@ -27,8 +24,8 @@ DragGuides guides(Tool tool, Constraint constraint, const char* typed) {
   auto& view = w.view;
   TransformDrag drag(w.document, test::plain_grip(w.document), tool, constraint, 1, {700, 390}, view.camera);
   for (; *typed; ++typed) drag.type(*typed);
-  drag.update(w.document, {{710, 390}}, view.camera, view.viewport);
-  return drag_guides(drag, w.document.space(), view.camera, view.viewport);
+  drag.update(w.document, {{710, 390}}, view.camera);
+  return drag_guides(drag, w.document.space(), view.camera);
 }
 
 const AxisBall& ball(const AxisWidget& widget, int axis, bool positive) {
@@ -41,11 +38,11 @@ const AxisBall& ball(const AxisWidget& widget, int axis, bool positive) {
 }  // namespace
 
 TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_cameras") {
-  const auto reference = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
+  const auto reference = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera());
   for (const bool orthographic : {false, true}) {
     for (const float distance : {0.05f, 1.0f, 200.0f}) {
-      const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1),
-                                     camera(0.65f, 0.32f, distance, orthographic), test::viewport);
+      const auto gizmo =
+          *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(0.65f, 0.32f, distance, orthographic));
       for (int i = 0; i < 3; ++i) {
         const float length = glm::distance(gizmo.center, gizmo.arms[i].tip);
         // In perspective, an arm is a few percent longer if it points at the viewer.
@@ -58,7 +55,7 @@ TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_c
 
 TEST_CASE("each_handle_is_hit_where_it_is_drawn") {
   for (const Tool tool : {Tool::move, Tool::scale}) {
-    const auto gizmo = *make_gizmo(tool, {0.2, -0.1, 0.3}, glm::dmat3(1), camera(), test::viewport);
+    const auto gizmo = *make_gizmo(tool, {0.2, -0.1, 0.3}, glm::dmat3(1), camera());
     CHECK(pick_handle(gizmo, gizmo.center) == Constraint{});
     for (int i = 0; i < 3; ++i) {
       CHECK(pick_handle(gizmo, gizmo.arms[i].tip) == Constraint{Kind::axis, i});
@@ -71,7 +68,7 @@ TEST_CASE("each_handle_is_hit_where_it_is_drawn") {
 }
 
 TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
-  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
+  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera());
   for (int i = 0; i < 3; ++i) {
     int front = 0;
     for (const auto& point : gizmo.rings[i]) {
@@ -88,14 +85,14 @@ TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
 }
 
 TEST_CASE("reach_hits_handles_from_farther_and_the_far_side_of_rings") {
-  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
+  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera());
   const glm::vec2 outside = gizmo.center + glm::vec2(gizmo_view_ring + gizmo_tolerance + 4, 0);
   CHECK_FALSE(pick_handle(gizmo, outside));
   CHECK(pick_handle(gizmo, outside, true) == Constraint{});
   CHECK_FALSE(pick_handle(gizmo, outside + glm::vec2(gizmo_reach, 0), true));
   for (int i = 0; i < 3; ++i)
     for (const auto& point : gizmo.rings[i]) CHECK(pick_handle(gizmo, point.at, true));
-  const auto arms = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
+  const auto arms = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera());
   const glm::vec2 shaft = arms.arms[1].tip - arms.arms[1].base,
                   beside = 0.5f * (arms.arms[1].tip + arms.arms[1].base) +
                            11.0f / glm::length(shaft) * glm::vec2(-shaft.y, shaft.x);
@@ -103,7 +100,7 @@ TEST_CASE("reach_hits_handles_from_farther_and_the_far_side_of_rings") {
 }
 
 TEST_CASE("handles_that_point_at_the_viewer_fade_and_cannot_be_hit") {
-  const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(0, 0), test::viewport);
+  const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(0, 0));
   CHECK(gizmo.arms[2].opacity == 0);
   CHECK(gizmo.arms[0].opacity == 1);
   CHECK(gizmo.planes[2].opacity == 1);
@@ -133,9 +130,8 @@ TEST_CASE("turns_show_the_sector_they_sweep_and_count_whole_turns") {
 }
 
 TEST_CASE("the_widget_is_at_the_top_right_and_its_balls_point_where_the_axes_do") {
-  Camera camera;
-  camera.set_pose({{0, 0, 0}, 4, 0, 0, false});
-  const auto widget = *axis_widget(camera, viete::test::viewport);
+  Camera camera = ::camera(0, 0);
+  const auto widget = *axis_widget(camera);
   CHECK(widget.center.x > 900);
   CHECK(widget.center.y < 100);
   CHECK(widget.contains(widget.center));
@@ -145,19 +141,20 @@ TEST_CASE("the_widget_is_at_the_top_right_and_its_balls_point_where_the_axes_do"
   CHECK(ball(widget, 2, true).nearness == doctest::Approx(1));
   CHECK(ball(widget, 2, false).nearness == doctest::Approx(-1));
   CHECK(widget.ball(widget.center)->positive);
-  CHECK_FALSE(axis_widget(camera, {{400, 100}, {320, 0}, {80, 74}}));
+  camera.viewport = {{400, 100}, {320, 0}, {80, 74}};
+  CHECK_FALSE(axis_widget(camera));
 }
 
 TEST_CASE("each_ball_looks_from_its_own_side_and_once_more_from_the_other") {
   for (int i = 0; i < 12; ++i) {
     const int axis = i % 3;
     const bool positive = i < 6;
-    Camera camera;
+    Camera camera = test::camera();
     camera.set_up(i / 3 % 2 == 0 ? UpAxis::y : UpAxis::z);
-    look_from(camera, ball(*axis_widget(camera, viete::test::viewport), axis, positive));
+    look_from(camera, ball(*axis_widget(camera), axis, positive));
     camera.animate(1);
     CHECK(camera.forward()[axis] == doctest::Approx(positive ? -1 : 1));
-    look_from(camera, ball(*axis_widget(camera, viete::test::viewport), axis, positive));
+    look_from(camera, ball(*axis_widget(camera), axis, positive));
     camera.animate(1);
     CHECK(camera.forward()[axis] == doctest::Approx(positive ? 1 : -1));
   }

@@ -21,7 +21,7 @@ Workspace front_cube(ElementKind kind) {
 }
 
 std::optional<Pick> pick(const Workspace& w, const glm::vec2& cursor) {
-  return pick_element(w.document, w.view.camera, w.view.viewport, cursor);
+  return pick_element(w.document, w.view.camera, cursor);
 }
 
 std::optional<std::uint32_t> pick_index(const Workspace& w, const glm::vec2& cursor) {
@@ -30,7 +30,7 @@ std::optional<std::uint32_t> pick_index(const Workspace& w, const glm::vec2& cur
 }
 
 glm::vec2 pixel(const Workspace& w, const mesh::Point& p) {
-  return glm::vec2(*Projector(w.document.space(), w.view.camera, w.view.viewport)(p));
+  return glm::vec2(*Projector(w.document.space(), w.view.camera)(p));
 }
 
 bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) {
@@ -46,7 +46,7 @@ TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels_or_by_a_box
     CHECK(pick_index(w, at) == i);
     CHECK(pick_index(w, at + glm::vec2(0, 7.5f)) == i);
     CHECK_FALSE(pick_index(w, at + glm::vec2(0, 8.5f)));
-    CHECK(pick_elements_in_box(w.document, w.view.camera, w.view.viewport, at + 2.0f, at - 2.0f) ==
+    CHECK(pick_elements_in_box(w.document, w.view.camera, at + 2.0f, at - 2.0f) ==
           std::vector<std::uint32_t>{i});
   }
 }
@@ -76,10 +76,10 @@ TEST_CASE("points_behind_the_camera_are_never_picked") {
   for (auto& p : w.document.changed_pose().positions) p = along(3);
   CHECK(pick_index(w, middle));
   for (auto& p : w.document.changed_pose().positions) p = along(-3);
-  const Projector project(w.document.space(), camera, w.view.viewport);
+  const Projector project(w.document.space(), camera);
   CHECK_FALSE(project(along(-3)));
   CHECK_FALSE(pick_index(w, middle));
-  CHECK(pick_elements_in_box(w.document, camera, w.view.viewport, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
+  CHECK(pick_elements_in_box(w.document, camera, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
 }
 
 TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front_one_first") {
@@ -130,7 +130,7 @@ TEST_CASE("from_inside_the_cage_the_visible_parts_of_faces_and_edges_are_picked"
 TEST_CASE("a_box_picks_edges_and_faces_that_lie_wholly_inside") {
   Workspace w = front_cube(ElementKind::edge);
   const glm::vec2 a = pixel(w, {-1.5, 1.5, 1.5}) - 3.0f, b = pixel(w, {1.5, 1.5, 1.5}) + glm::vec2(3, 100);
-  const auto in_box = [&] { return pick_elements_in_box(w.document, w.view.camera, w.view.viewport, a, b); };
+  const auto in_box = [&] { return pick_elements_in_box(w.document, w.view.camera, a, b); };
   bool front = false;
   for (const auto e : in_box()) front |= has(w, e, {6, 7});
   CHECK(front);
@@ -138,6 +138,6 @@ TEST_CASE("a_box_picks_edges_and_faces_that_lie_wholly_inside") {
   for (const auto f : in_box())
     for (const auto v : element_vertices(*w.document.cage(), ElementKind::face, f))
       CHECK(w.document.pose().positions[v][1] == 1.5);
-  CHECK(pick_elements_in_box(w.document, w.view.camera, w.view.viewport, {0, 0}, {1000, 800}).size() == 12);
-  CHECK(pick_elements_in_box({}, w.view.camera, w.view.viewport, {0, 0}, {1000, 800}).empty());
+  CHECK(pick_elements_in_box(w.document, w.view.camera, {0, 0}, {1000, 800}).size() == 12);
+  CHECK(pick_elements_in_box({}, w.view.camera, {0, 0}, {1000, 800}).empty());
 }

@@ -127,7 +127,7 @@ TEST_CASE("a_lasso_selects_its_content_and_esc_cancels_it") {
   round(80);
   hand.release();
   CHECK_FALSE(hand.w.view.interaction.lasso);
-  const Projector project(hand.w.document.space(), hand.w.view.camera, hand.w.view.viewport);
+  const Projector project(hand.w.document.space(), hand.w.view.camera);
   std::size_t inside = 0;
   for (const auto& p : hand.w.document.pose().positions)
     inside += glm::distance(glm::vec2(*project(p)), middle) < 77;

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "interact/placing.h"
+#include "interact/transform_drag.h"
 #include "pose/cage_state.h"
 #include "support/cube.h"
 #include "support/edits.h"
@@ -30,6 +30,14 @@ void apply(const Transform& t, const std::vector<mesh::Point>& from, std::vector
 }
 
 constexpr double degree = 3.14159265358979323846 / 180;
+
+// Updates the whole turns of the pose, as drawing does. Returns the turn of the first element.
+mesh::Vec3 drawn_turn(Document& document) {
+  pose::CageState state(document.cage(), document.deformer().weighting.elements, document.deformer().blend);
+  state.set_pose(document.pose());
+  document.changed_pose().turns = state.report().turns;
+  return document.pose().turns[0];
+}
 
 }  // namespace
 
@@ -94,13 +102,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       }
       document.changed_pose().positions[3][2] += 0.7;
       const auto posed = document.pose().positions;
-      const auto shown = [&] {  // updates the turns, as drawing does
-        pose::CageState state(document.cage(), document.deformer().weighting.elements,
-                              document.deformer().blend);
-        state.set_pose(document.pose());
-        document.changed_pose().turns = state.report().turns;
-        return document.pose().turns[0];
-      };
+      const auto shown = [&] { return drawn_turn(document); };
       const mesh::Vec3 before = shown();
       double degrees = 0;
       for (const double step : steps) {
@@ -129,9 +131,7 @@ TEST_CASE("a_posed_cage_that_has_turned_keeps_its_turn_while_it_is_posed_on") {
   for (int i = 0; i < 40; ++i) {
     document.changed_pose().positions[6][0] += 0.02;
     document.changed_pose().positions[1][2] -= 0.02;
-    pose::CageState state(document.cage(), document.deformer().weighting.elements, document.deformer().blend);
-    state.set_pose(document.pose());
-    document.changed_pose().turns = state.report().turns;
+    drawn_turn(document);
   }
   CHECK(mesh::norm(document.pose().turns[0] - mesh::Vec3{0, 0, 360 * degree}) < 1);
   CHECK(std::hypot(document.pose().turns[0][0], document.pose().turns[0][1]) < 1e-9);

@@ -35,13 +35,13 @@ struct Drag {
     return w.document.space().to_view({c.x, c.y, c.z});
   }
   glm::vec2 center() const {
-    return glm::vec2(CursorProjection(glm::dvec3(view_center()), w.view.camera, w.view.viewport).at());
+    return glm::vec2(CursorProjection(glm::dvec3(view_center()), w.view.camera).at());
   }
   void move(glm::vec2 by) {
     input.cursor += by;
     update();
   }
-  void update() { drag->update(w.document, input, w.view.camera, w.view.viewport); }
+  void update() { drag->update(w.document, input, w.view.camera); }
   void type(const char* text) {
     for (; *text; ++text) drag->type(*text);
     update();
@@ -103,9 +103,9 @@ TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
       Drag d(Tool::move, {Kind::axis, axis}, {0, 0}, orthographic);
       glm::dvec3 direction(0);
       direction[axis] = 1;
-      const glm::dvec2 on_screen = 60.0 * glm::normalize(CursorProjection(glm::dvec3(d.view_center()),
-                                                                          d.w.view.camera, d.w.view.viewport)
-                                                             .motion(direction));
+      const glm::dvec2 on_screen =
+          60.0 *
+          glm::normalize(CursorProjection(glm::dvec3(d.view_center()), d.w.view.camera).motion(direction));
       const glm::vec2 sideways(-on_screen.y, on_screen.x);
       const glm::vec2 expected = d.center() + glm::vec2(on_screen);
       d.move(glm::vec2(on_screen) + 0.3f * sideways);  // motion across the axis has no effect
@@ -220,7 +220,7 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
 
 TEST_CASE("an_axis_scale_follows_its_handle_and_scales_nothing_else") {
   const CursorProjection projection(glm::dvec3(Drag(Tool::scale, {}, {0, 0}).view_center()),
-                                    test::cube_workspace().view.camera, test::cube_workspace().view.viewport);
+                                    test::cube_workspace().view.camera);
   const glm::vec2 outward(glm::normalize(projection.motion({1, 0, 0})));
   Drag d(Tool::scale, {Kind::axis, 0}, 80.0f * outward);
   d.move(40.0f * outward);

@@ -17,8 +17,8 @@ render::Image ball_picture(Kind kind) {
   surface.set_triangles(ball.triangles, ball.positions.size());
   surface.set_positions(ball.positions, ball.normals);
   return stage.picture([&] {
-    backdrop.draw(render::dark_theme());
-    surface.draw(stage.view, render::dark_theme(), {});
+    backdrop.draw(render::theme(true));
+    surface.draw(stage.view, render::theme(true), {});
   });
 }
 

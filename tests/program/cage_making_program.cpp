@@ -1,5 +1,4 @@
 // Makes a cage in the window: button, sliders, undo, posing and saving.
-#include "document/edit.h"
 #include "formats/write.h"
 #include "mesh/winding_number.h"
 #include "program/driver.h"
@@ -63,9 +62,9 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
     Driver d(Driver::default_options({1280, height}));
     REQUIRE(d.open({test::bundled_dragon}));
     d.settle();
-    const auto& v = d.workspace().view.viewport;
+    const auto& v = d.workspace().view.camera.viewport;
     const auto lowest = [&] {
-      const interact::Projector project(d.document().space(), d.workspace().view.camera, v);
+      const interact::Projector project(d.document().space(), d.workspace().view.camera);
       float y = 0;
       for (const auto& p : d.document().model().surface->positions) y = std::max(y, project(p)->y);
       return y;

@@ -3,7 +3,6 @@
 #include "program/command_line.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
-#include "workspace/apply_opened.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -212,9 +211,7 @@ TEST_CASE("an_opened_capture_follows_the_mouse_and_its_export_is_that_of_viete_d
     d.run("set_key");
     CHECK(proposed("save_animation") == "capture_####" + std::filesystem::path(name).extension().string());
     const auto posed = folder / (std::string("posed_") + name), deformed = folder / name;
-    d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, posed);
-    d.frame();
-    REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+    d.save(workspace::SaveFile::Content::model, posed);
     REQUIRE(workspace::save_session(d.workspace(), folder / "s.viete"));
     const auto same = folder / (std::string("same_") + name);
     const test::Outcome outcome =
@@ -235,7 +232,7 @@ TEST_CASE("splats_under_the_mouse_are_inspected_painted_and_probed") {
   w.view.options.panels = true;
   scene.look(0);
   scene.d.settle();
-  const glm::vec2 middle = w.view.viewport.middle();
+  const glm::vec2 middle = w.view.camera.viewport.middle();
   const auto& positions = w.document.model().surface->positions;
   const mesh::Point toward = w.document.space().to_file(glm::dvec3(w.view.camera.eye()));
   const auto is_in_front = [&](const mesh::Point& p) {
@@ -308,9 +305,7 @@ TEST_CASE("a_probe_without_a_cage_turns_splats_in_the_view_and_in_the_export") {
   pose.move = {0, 0.3, 0};
   d.settle();
   CHECK(test::difference(d.picture(), before, 30) > 0.001);
-  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, folder / "posed.ply");
-  d.frame();
-  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  d.save(workspace::SaveFile::Content::model, folder / "posed.ply");
   const formats::ReadResult posed = formats::read(folder / "posed.ply");
   REQUIRE(posed.splats);
   const auto& rotations = posed.splats->rotations;

@@ -41,7 +41,7 @@ struct Checked : test::SmallScene {
   bool shows(const std::string& widget) {
     d.frame(2);
     const auto rect = d.recorder().find(widget);
-    const auto& v = d.workspace().view.viewport;
+    const auto& v = d.workspace().view.camera.viewport;
     return rect && rect->visible && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x &&
            rect->y1 < v.origin.y + v.size.y;
   }

@@ -1,9 +1,18 @@
-// Filters of file dialogs, and preferences.
+// File dialogs, preferences, menus of files and toasts, by mouse and keys.
+#include <map>
+
+#include "document/pose_edit.h"
+#include "formats/read.h"
+#include "formats/write.h"
+#include "program/kept_work.h"
 #include "program/small_scene.h"
+#include "support/pictures.h"
 #include "ui/widgets.h"
+#include "workspace/preferences.h"
+#include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver;
+using test::Dragon, test::Driver, test::remembering;
 
 TEST_CASE("typing_in_a_file_list_filters_the_list") {
   test::SmallScene scene;
@@ -83,4 +92,381 @@ TEST_CASE("preferences_change_scale_motion_autosave_and_list_recovered_edits") {
   d.settle();
   REQUIRE_FALSE(w.messages.all().empty());
   CHECK(w.messages.all().back().text.find("b.viete") != std::string::npos);  // this file is missing
+}
+
+namespace fs = std::filesystem;
+
+TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "inner");
+  fs::copy_file(test::dragon_cage, folder / "inner" / "cage.obj");
+  fs::copy_file(test::dragon_cage, folder / "other.obj");
+  Driver d;
+  REQUIRE(d.open({test::dragon}));
+  d.settle();
+  d.frame(30);
+  workspace::FileBrowser& browser = d.workspace().files.browser;
+  workspace::show(browser, workspace::FileBrowser::Purpose::cage, folder.path());
+  d.frame(3);
+  d.click("file/inner");
+  d.frame(30);
+  CHECK(browser.folder == fs::weakly_canonical(folder.path()));
+  CHECK(browser.path == browser.folder / "inner");
+  for (int i = 0; i < 2; ++i) d.click("file/inner");
+  d.frame(30);
+  CHECK(browser.folder.filename() == "inner");
+  d.click("file/cage.obj");
+  d.frame(30);
+  CHECK(browser.open);
+  CHECK_FALSE(d.document().has_cage());
+  SUBCASE("two clicks") {
+    for (int i = 0; i < 2; ++i) d.click("file/cage.obj");
+  }
+  SUBCASE("enter") {
+    d.press_key(workspace::Key::enter);
+  }
+  SUBCASE("the button") {
+    d.click("file_choose");
+  }
+  d.settle();
+  CHECK_FALSE(browser.open);
+  CHECK(d.document().has_cage());
+}
+
+TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
+  const test::TemporaryFolder folder;
+  const std::string precious = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  test::put_file(folder / "precious.obj", precious);
+  Dragon d;
+  workspace::FileBrowser& browser = d.workspace().files.browser;
+  workspace::show(browser, workspace::FileBrowser::Purpose::save_model, folder.path(), "new.obj");
+  d.frame(30);
+  for (int i = 0; i < 2; ++i) d.click("file/precious.obj");
+  d.frame(3);
+  CHECK(browser.open);
+  CHECK(browser.path == browser.folder / "precious.obj");
+  CHECK(d.recorder().find("file_replaces"));
+  d.press_key(workspace::Key::enter);  // the first Enter warns; the second Enter confirms
+  CHECK(browser.open);
+  CHECK(test::file_bytes(folder / "precious.obj") == precious);
+  d.press_key(workspace::Key::enter);
+  d.settle();
+  CHECK_FALSE(browser.open);
+  CHECK(fs::file_size(folder / "precious.obj") > 1000);
+}
+
+TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_during_a_drag") {
+  auto options = Driver::default_options({1440, 900});
+  options.probe = true;
+  Driver d(options);
+  d.open_dragon("pose_alert");
+  const auto& times = d.workspace().frame.method_times;
+  REQUIRE(d.until([&] { return times.measured; }));
+  constexpr std::size_t fused = workspace::MethodTimes::fused;
+  for (std::size_t method = 0; method < fused; ++method) {
+    CHECK(times.stages[method][pose::Stage::exp] > 0);
+    CHECK(times.stages[method][pose::Stage::fused] == 0);
+  }
+  CHECK(times.stages[fused][pose::Stage::fused] > 0);
+  CHECK(times.fused_error > 0);
+  CHECK(times.fused_error < 1e-4);
+  CHECK(d.recorder().find("timings/fused"));
+  // If the method changes, no new binding is needed.
+  d.click("method_diag");
+  REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == pose::EngineKind::staged; }));
+
+  d.workspace().frame.method_times = {};
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.press_and_move(at, at + glm::vec2(40, 20));
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  while (std::chrono::steady_clock::now() < end) {
+    d.frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  CHECK_FALSE(times.measured);
+  d.button(0, false);
+  CHECK(d.until([&] { return times.measured; }));
+
+  d.run("deformer_mean_value");  // without exponentials: only the fused engine is timed
+  CHECK(d.until(
+      [&] { return times.measured && times.stages[fused].total() > 0 && times.stages[0].total() == 0; }));
+}
+
+TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
+  Driver d(Driver::default_options({1440, 900}), test::with_pixels);
+  d.open_dragon();
+  d.workspace().preferences.layout.sections["Checks"] = true;
+  d.settle();
+  d.move({720, 880});
+  CHECK_FALSE(d.recorder().find("pose_note/0"));
+  const double middle =
+      d.document().cage_file().bounds.low[0] +
+      0.7 * (d.document().cage_file().bounds.high[0] - d.document().cage_file().bounds.low[0]);
+  pose::Pose pose = d.document().pose();
+  for (auto& p : pose.positions)
+    if (p[0] > middle) p = {p[0], -p[1], -p[2]};
+  document::set_pose(d.document(), pose);
+  d.settle();
+  REQUIRE_FALSE(d.workspace().frame.report.torn.empty());
+  CHECK(d.recorder().find("pose_note/0"));
+  CHECK(d.workspace().messages.all().empty());
+  const auto with = d.picture();
+  d.workspace().frame.report.torn.clear();
+  d.frame();
+  CHECK(test::difference(with, d.picture(), 0) > 0);  // the marks are visible
+  document::reset_pose(d.document());
+  d.settle();
+  CHECK_FALSE(d.recorder().find("pose_note/0"));
+}
+
+namespace {
+
+glm::vec2 empty_place(Driver& d) {
+  const auto& v = d.workspace().view.camera.viewport;
+  return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
+}
+
+void open_cube(Driver& d, const std::filesystem::path& folder) {
+  mesh::Surface cage = formats::read(test::dragon_cage).surface;
+  formats::write(folder / "cube.obj", cage);
+  REQUIRE(d.open({folder / "cube.obj"}));
+  d.frame(3);
+}
+
+// Types a path in the file browser. Waits until the program has read, written or refused the file.
+void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
+  workspace::find_command(command)->run(d.workspace());
+  d.frame(3);
+  REQUIRE(d.workspace().files.browser.open);
+  d.type(file.string());
+  d.press_key(workspace::Key::enter);
+  if (d.workspace().files.browser.warned == file.string())
+    d.press_key(workspace::Key::enter);  // overwrites the file
+  REQUIRE(d.until([&] { return d.workspace().files.browser.asked.empty() && !d.viewer().exporting(); }));
+  d.frame(2);
+}
+
+void check_refused(Driver& d, const std::filesystem::path& file) {
+  const auto& browser = d.workspace().files.browser;
+  CHECK(browser.open);
+  CHECK(browser.path == file);
+  REQUIRE(d.recorder().find("file_problem"));
+  CHECK(d.recorder().find("file_problem")->y0 >= d.recorder().find("file_path")->y1);
+  CHECK(browser.problem.find("--") == std::string::npos);
+  CHECK_FALSE(browser.problem.starts_with(file.string() + ": "));
+  CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
+  d.press_key(workspace::Key::escape);
+  CHECK_FALSE(browser.open);
+}
+
+}  // namespace
+
+TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
+  const test::TemporaryFolder folder;
+  {
+    Driver d(remembering(folder / "state"));
+    d.open_dragon();
+    d.click("section/Map");
+    d.click("tab/methods");
+    d.press_key(workspace::key('T'));
+    d.workspace().jobs.wishes.add(workspace::CloseProgram{});
+    d.frame(2);
+  }
+  Driver d(remembering(folder / "state"));
+  d.frame(3);
+  d.click("recent/0");
+  d.settle();
+  CHECK(d.document().model().path == test::dragon);
+  CHECK(d.document().cage_file().path == test::dragon_cage);
+  CHECK_FALSE(d.workspace().view.options.dark);
+  CHECK_FALSE(d.recorder().find("method_diag"));
+  d.click("tab/methods");
+  CHECK(d.recorder().find("map"));
+}
+
+TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
+  Dragon d("", test::with_pixels);
+  d.press_key(workspace::Key::f2);
+  d.settle();
+  const auto with_line = d.picture();
+  d.workspace().panels.has_user = false;
+  d.settle();
+  CHECK(test::difference(with_line, d.picture(), 0) > 0);
+  d.workspace().panels.has_user = true;
+  d.press_key(workspace::Key::f2);
+  CHECK(d.is_seen("open_model"));
+}
+
+TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  open_cube(d, folder.path());
+  d.open_dragon();
+  for (int i = 1; i <= 60; ++i) {
+    document::record_edit(d.document(), "rotate " + std::to_string(i));
+    d.document().changed_pose().positions[0][0] += 0.001;
+  }
+  const auto menu = [&](const char* title, const char* list) {
+    for (const char* name : {title, list}) {
+      const auto rect = d.recorder().find(std::string("menu/") + name);
+      REQUIRE(rect);
+      d.click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
+    }
+  };
+  menu("Edit", "history");
+  const auto& recorder = d.recorder();
+  CHECK(recorder.find("history/60"));
+  CHECK(recorder.find("history/10"));
+  CHECK_FALSE(recorder.find("history/9"));
+  d.click("history/45");
+  CHECK(d.document().history().position() == 45);
+  CHECK(workspace::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
+  workspace::mark_saved(d.workspace());
+  menu("File", "recent");
+  const auto file = d.workspace().preferences.recent.at(1).file;
+  d.click("menu/recent/1");
+  d.settle();
+  CHECK(d.document().model().path == file);
+}
+
+TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
+  const test::TemporaryFolder folder;
+  Dragon d;
+  CHECK_FALSE(d.open({folder / "none.ply"}));
+  d.frame(2);
+  CHECK(d.is_seen("toast/0"));
+  SUBCASE("it is put away") {
+    d.click("toast/0/close");
+    CHECK_FALSE(d.recorder().find("toast/0"));
+  }
+  SUBCASE("a click shows the list") {
+    d.click("toast/0");
+    CHECK(d.is_seen("message/0"));
+    d.click("clear_messages");
+    CHECK(d.workspace().messages.all().empty());
+    d.press_key(workspace::Key::escape);
+    CHECK_FALSE(d.workspace().panels.show_messages);
+  }
+}
+
+TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unknown_formats_are_refused") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "a_folder");
+  Dragon d;
+  d.workspace().files.saved.session = folder / "session.viete";  // exports suggest the folder of the session
+  for (const char* name : {"first.obj", "second.obj"}) {
+    d.press_key(workspace::key('P'), true, true);
+    d.type((folder / name).string());
+    d.press_key(workspace::Key::enter);
+    CHECK(std::filesystem::exists(folder / name));
+  }
+  d.press_key(workspace::key('E'), true);
+  d.type("arm.xyz");
+  d.press_key(workspace::Key::enter);
+  CHECK(d.workspace().files.browser.open);
+  CHECK(d.workspace().files.browser.path == "arm.xyz");
+  CHECK(d.recorder().find("file_problem"));
+  d.click("format_ply");
+  d.press_key(workspace::Key::enter);
+  CHECK_FALSE(d.workspace().files.browser.open);
+  d.viewer().finish_exports();
+  CHECK(std::filesystem::exists(folder / "arm.ply"));
+}
+
+TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reason_below") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  open_cube(d, folder.path());
+  REQUIRE(d.open({folder / "cube.obj", test::dragon_cage}));
+  d.press_key(workspace::key('A'));
+  workspace::find_command("keep_pose")->run(d.workspace());
+  workspace::find_command("set_key")->run(d.workspace());
+  d.frame(3);
+  d.workspace().messages.clear();
+  const auto top = std::filesystem::canonical(folder.path());
+  test::put_file(top / "broken.obj", "v 0 0\nf 1 2 3\n");
+  test::put_file(top / "text.viete", "a text");
+  test::put_file(top / "f_01.obj", "somebody else's");
+  const std::string too_long(300, 'x');
+  for (const char* command :
+       {"open_model", "open_cage", "open_pose", "import_poses", "import_shapes", "import_animation"}) {
+    CAPTURE(command);
+    ask_for(d, command, top / "broken.obj");
+    check_refused(d, top / "broken.obj");
+  }
+  for (const char* command : {"save_pose", "save_cage", "save_model"}) {
+    CAPTURE(command);
+    ask_for(d, command, top / (too_long + ".obj"));
+    check_refused(d, top / (too_long + ".obj"));
+  }
+  ask_for(d, "save_session_as", top / "text.viete");
+  check_refused(d, top / "text.viete");
+  CHECK(test::file_bytes(top / "text.viete") == "a text");
+  d.run("save_animation");
+  d.type((top / "f_##.obj").string());
+  d.press_key(workspace::Key::enter);  // asks before it exports
+  CHECK_FALSE(d.workspace().jobs.exporting.running);
+  CHECK(d.workspace().files.browser.open);
+  CHECK(d.recorder().find("file_replaces"));
+  CHECK(test::file_bytes(top / "f_01.obj") == "somebody else's");
+  d.press_key(workspace::Key::enter);
+  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  CHECK_FALSE(d.workspace().files.browser.open);
+  CHECK(test::file_bytes(top / "f_01.obj") != "somebody else's");
+  d.workspace().messages.clear();
+  {
+    const test::FullDisk full(100);
+    ask_for(d, "save_model", top / "out.obj");
+  }
+  check_refused(d, top / "out.obj");
+  ask_for(d, "save_model", top / "out.obj");
+  CHECK_FALSE(d.workspace().files.browser.open);
+  CHECK(std::filesystem::exists(top / "out.obj"));
+}
+
+TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_of_the_last_one") {
+  const test::TemporaryFolder folder;
+  Dragon d;
+  d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
+  document::Handling& hand = d.workspace().view.handling;
+  hand.mirror = document::MirrorPlane::x;
+  hand.pivot = document::Pivot::point;
+  hand.point = mesh::Point{0.25, 1, -3};
+  d.workspace().messages.warn("The cage is open", {.scope = workspace::Scope::cage});
+  d.frame();
+  REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
+  d.frame(2);
+  for (const auto& m : d.workspace().messages.all()) CHECK(m.text != "The cage is open");
+  CHECK(hand.mirror == document::MirrorPlane::x);
+  open_cube(d, folder.path());
+  const document::CameraPose home, now = d.workspace().view.camera.pose();
+  CHECK(now.yaw == doctest::Approx(home.yaw));
+  CHECK(now.pitch == doctest::Approx(home.pitch));
+  CHECK(hand.mirror == document::MirrorPlane::none);
+  CHECK(hand.pivot == document::Pivot::median);
+  CHECK_FALSE(hand.point);
+}
+
+TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
+  Dragon d;
+  for (const glm::ivec2 size : {glm::ivec2(1500, 1000), glm::ivec2(700, 420), glm::ivec2(1280, 700)}) {
+    d.viewer().resize(size, 1);
+    d.frame();
+    for (int i = 0; i < 20 && d.viewer().wants_frame(); ++i) d.frame();
+    std::map<std::string, ui::WidgetRect> before = d.recorder().all();
+    d.frame(3);
+    for (const auto& [name, rect] : d.recorder().all()) {
+      if (!before.contains(name)) continue;  // skips new widgets
+      CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
+    }
+    if (!d.workspace().files.browser.open)
+      d.press_key('O', true);  // the file browser stays open in later rounds
+    d.frame(3);
+    for (const char* name : {"file_path", "file_choose"}) {
+      const auto rect = d.recorder().find(name);
+      REQUIRE(rect);
+      CHECK(rect->x1 <= static_cast<float>(size.x));
+      CHECK(rect->y1 <= static_cast<float>(size.y));
+    }
+  }
 }

@@ -18,7 +18,6 @@
 #include "program/no_pixels.h"
 #include "support/distance.h"
 #include "support/user_input.h"
-#include "ui/imgui_bridge.h"
 
 namespace viete::test {
 
@@ -96,6 +95,12 @@ public:
     }
     return true;
   }
+  /// Saves the file. Waits until it is written or refused.
+  void save(workspace::SaveFile::Content content, const std::filesystem::path& file) {
+    workspace().jobs.wishes.save(content, file);
+    frame();
+    REQUIRE(until([&] { return !viewer().exporting(); }));
+  }
   /// Runs frames until the generated cage follows the current settings. After a preview, also waits for the
   /// cage of full quality.
   void finish_making() {
@@ -114,6 +119,11 @@ public:
     return deform::deform_exactly(*e.model, e.cage, e.deformer, e.pose, e.method, pool, nullptr, e.mask,
                                   e.probes, e.shape)
         .positions;
+  }
+  /// Returns exact_positions(). The model drawn in single precision must agree.
+  std::vector<mesh::Point> checked_positions() {
+    CHECK(drawn_error() < 2e-5);
+    return exact_positions();
   }
 
   /// Returns the largest error of the drawn vertices, in diagonals of the model.

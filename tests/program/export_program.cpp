@@ -88,8 +88,7 @@ TEST_CASE("an_animation_is_exported_aside") {
   drag_some_vertex(d, {-40, 25});
   document::set_key(d.document(), 600);
   const fs::path file = folder / "out.pc2";
-  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, file);
-  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  d.save(workspace::SaveFile::Content::animation, file);
   CHECK(d.last_message() == "Saved out.pc2.");
   const auto& all = d.workspace().messages.all();
   CHECK(all[all.size() - 2].text.starts_with("out.pc2: 600 frames of "));
@@ -140,8 +139,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   const auto brightness = [](const render::Image& image) { return int{image.rgba[0]}; };
   CHECK(brightness(other) > brightness(first) + 60);
   test::put_file(folder / "g_02.png", "somebody's");
-  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::animation, folder / "g_##.png");
-  REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
+  d.save(workspace::SaveFile::Content::animation, folder / "g_##.png");
   CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
   CHECK(test::mentions(d.last_message(), "g_02.png"));
   CHECK(test::file_bytes(folder / "g_02.png") == "somebody's");

@@ -9,19 +9,10 @@
 #include "workspace/pointer.h"
 
 using namespace viete;
-using test::Driver;
+using test::Dragon, test::Driver;
 using Kind = interact::Constraint::Kind;
 
 namespace {
-
-struct Hand : test::Dragon {
-  using Dragon::Dragon;
-  // Returns the model in double precision. The model drawn in single precision must agree.
-  std::vector<mesh::Point> mesh() {
-    CHECK(drawn_error() < 2e-5);
-    return exact_positions();
-  }
-};
 
 constexpr double radians = std::numbers::pi / 180;
 
@@ -38,9 +29,9 @@ std::vector<mesh::Point> turned(std::vector<mesh::Point> points, const glm::dvec
 }  // namespace
 
 TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_rigidly") {
-  Hand d;
+  Dragon d;
   d.select_whole_cage();
-  const auto rest = d.mesh();
+  const auto rest = d.checked_positions();
   const glm::dvec3 center = test::selection_center(d.document());
   d.press_key(workspace::Key::pad7);  // from above, the ring about Y is a circle
   d.settle();
@@ -58,15 +49,15 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
   CHECK(d.workspace().view.interaction.drag->readout().starts_with("Y 84"));
   d.button(0, false);
   d.frame();
-  CHECK(test::largest_distance(d.mesh(), turned(rest, center, degrees)) < 1e-12);
+  CHECK(test::largest_distance(d.checked_positions(), turned(rest, center, degrees)) < 1e-12);
   d.press_key('Z', true);
-  CHECK(d.mesh() == rest);
+  CHECK(d.checked_positions() == rest);
   d.press_key('Z', true, true);
   CHECK(d.document().pose().turns[0][1] == doctest::Approx(degrees * radians).epsilon(1e-9));
 }
 
 TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
-  Hand d;
+  Dragon d;
   const auto v = d.free_vertex();
   d.click(glm::round(d.vertex(v)));
   d.enter("transform_y", "1,5");
@@ -79,15 +70,16 @@ TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   d.run("undo");
   d.click("select_all");
   d.click("strip/tool_rotate");
-  const auto before = d.mesh();
+  const auto before = d.checked_positions();
   d.enter("transform_y", "90");
-  CHECK(test::largest_distance(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
+  CHECK(test::largest_distance(d.checked_positions(),
+                               turned(before, test::selection_center(d.document()), 90)) < 1e-12);
   d.enter("transform_y", "1e15");
   CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum for one step");
 }
 
 TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_click_is_none") {
-  Hand d;
+  Dragon d;
   const auto v = d.free_vertex();
   d.click("strip/tool_select");  // this tool has no gizmo
   const auto before = d.workspace().view.camera.destination();
@@ -101,15 +93,14 @@ TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_clic
   d.click(at);
   d.settle();
   d.frame(30);
-  const auto& port = d.workspace().view.viewport;
-  const glm::vec2 middle = port.origin + 0.5f * port.size;
+  const glm::vec2 middle = d.workspace().view.camera.viewport.middle();
   CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
   d.drag({400, 740}, {480, 700}, 2);
   CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
 }
 
 TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is_shown_when_it_matters") {
-  Hand d("", test::with_pixels);
+  Dragon d("", test::with_pixels);
   const auto picture_at = [&](glm::vec2 pointer) {
     d.move(pointer);
     d.frame(3);
@@ -140,14 +131,13 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
 }
 
 TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
-  Hand d;
+  Dragon d;
   for (std::uint32_t v = 0; v < d.pose().size(); ++v)
-    CHECK_FALSE(interact::is_crowded(d.document(), d.workspace().view.camera, d.workspace().view.viewport,
-                                     d.vertex(v)));
+    CHECK_FALSE(interact::is_crowded(d.document(), d.workspace().view.camera, d.vertex(v)));
 }
 
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
-  Hand d("", test::with_pixels);
+  Dragon d("", test::with_pixels);
   const auto selected = [&] { return d.document().selection().size(); };
   // Counts the pixels that have the colour of selected vertices.
   const auto amber = [&] {
@@ -182,13 +172,13 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
 }
 
 TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
-  Hand d;
+  Dragon d;
   d.press_key(workspace::Key::pad3);  // from the right, where the wings cover the body
   d.settle();
   const auto rest = d.document().model().surface->positions;
   d.press_key('D');
   CHECK_FALSE(workspace::gizmo_of(d.workspace()));
-  const glm::vec2 middle = d.workspace().view.viewport.origin + 0.5f * d.workspace().view.viewport.size;
+  const glm::vec2 middle = d.workspace().view.camera.viewport.middle();
   d.move(middle);
   const float radius = d.workspace().view.brush.radius;
   d.key(Driver::left_shift, true);
@@ -205,7 +195,7 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   for (auto& p : pose.positions) p[1] += 1;
   document::set_pose(d.document(), pose);
   d.settle();
-  const auto moved = d.mesh();
+  const auto moved = d.checked_positions();
   for (std::size_t v = 0; v < rest.size(); ++v)
     CHECK(std::abs(moved[v][1] - rest[v][1] - double((*painted)[v])) < 1e-12);
   d.key(Driver::left_ctrl, true);  // Ctrl erases

@@ -18,7 +18,7 @@ app::ViewerOptions coarse_options(std::size_t moving_triangles) {
 }
 
 glm::vec2 bare_place(Driver& d) {
-  const auto& v = d.workspace().view.viewport;
+  const auto& v = d.workspace().view.camera.viewport;
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 40);
 }
 
@@ -47,8 +47,7 @@ private:
   glm::vec2 anywhere() { return {below(700), below(420)}; }
   glm::vec2 near_vertex() {
     const auto count = static_cast<int>(d.document().pose().positions.size());
-    const interact::Projector project(d.document().space(), d.workspace().view.camera,
-                                      d.workspace().view.viewport);
+    const interact::Projector project(d.document().space(), d.workspace().view.camera);
     const auto at = project(d.document().pose().positions[static_cast<std::size_t>(below(count))]);
     return at ? glm::round(glm::vec2(*at)) : anywhere();
   }

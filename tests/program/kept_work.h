@@ -28,7 +28,7 @@ inline render::Image rest_picture(Driver& d) {
   d.settle();
   d.workspace().panels.has_user = true;
   render::Image picture = d.picture();
-  const auto& v = d.workspace().view.viewport;
+  const auto& v = d.workspace().view.camera.viewport;
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
       const glm::vec2 in_view = glm::vec2(x, y) - v.origin;

@@ -11,7 +11,7 @@
 #include "program/small_scene.h"
 #include "support/folder.h"
 #include "support/pictures.h"
-#include "workspace/split.h"
+#include "workspace/workspace.h"
 
 using namespace viete;
 using analysis::Field;
@@ -106,7 +106,7 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   d.click("frame_worst");
   d.settle();
   const auto place = d.workspace().frame.posed.at(*d.document().model().surface, stats.worst);
-  CHECK(glm::distance(d.on_screen(place), view.viewport.middle()) < 3);
+  CHECK(glm::distance(d.on_screen(place), view.camera.viewport.middle()) < 3);
 }
 
 TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") {
@@ -134,12 +134,10 @@ TEST_CASE("a_map_has_a_legend_in_small_views") {
     s.d.run("map_area");
     s.d.run("views_4");
     s.d.settle();
-    const auto seen = std::filesystem::path("/tmp/h_legend_" + std::to_string(size.x) + ".png");
-    if (std::getenv("H_PIC")) render::write_png(seen, s.d.picture());
     for (const int view : views) {
       const auto rect = s.d.viewer().recorder().find("legend/" + std::to_string(view));
       REQUIRE_MESSAGE(rect, size.x, " ", view);
-      CHECK(rect->x0 > s.d.workspace().view.viewport.origin.x + 60);  // beside the tools
+      CHECK(rect->x0 > s.d.workspace().view.camera.viewport.origin.x + 60);  // beside the tools
     }
   }
 }
@@ -171,7 +169,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   workspace::enter_view(d.workspace(), 0);
   // Drags the cage in another view. Errors stay small.
   const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
-  const auto& v = d.workspace().view.viewport;
+  const auto& v = d.workspace().view.camera.viewport;
   const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
   d.press_and_move(second, second + glm::vec2(40, -30));
   CHECK(d.document().selection().size() == 1);
@@ -185,7 +183,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.click("views_1");
   d.settle();
   CHECK(split.sides().empty());
-  CHECK(d.workspace().view.viewport.pane_size == glm::vec2(1, 1));
+  CHECK(d.workspace().view.camera.viewport.pane_size == glm::vec2(1, 1));
 }
 
 TEST_CASE("closing_views_brings_back_the_camera_and_the_colour_range") {
@@ -212,7 +210,7 @@ TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document
   Dragon d;
   workspace::split_view(d.workspace(), 2);
   d.settle();
-  const auto& v = d.workspace().view.viewport;
+  const auto& v = d.workspace().view.camera.viewport;
   const glm::vec2 in_first = v.origin + glm::vec2(0.1f, 0.8f) * v.size;
   const glm::vec2 in_second = in_first + glm::vec2(0.5f * v.size.x, 0);
   d.drag(in_second, in_second + glm::vec2(60, 0), 1);
@@ -236,7 +234,7 @@ TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document
 
 TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   Dragon d("pose_alert", test::with_pixels);
-  d.move(d.workspace().view.viewport.origin + glm::vec2(200, 12));
+  d.move(d.workspace().view.camera.viewport.origin + glm::vec2(200, 12));
   d.press_key('Y', false, false, true);  // no vertex is under the pointer
   CHECK_FALSE(d.workspace().view.vertex.vertex);
   workspace::find_command("map_exp_error")->run(d.workspace());
@@ -269,7 +267,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.workspace().preferences.layout.sections.clear();
   d.workspace().preferences.layout.folded[static_cast<std::size_t>(workspace::Column::methods)] = true;
   d.frame(3);
-  d.move(d.workspace().view.viewport.middle());
+  d.move(d.workspace().view.camera.viewport.middle());
   d.press_key('Y', false, false, true);
   d.settle();
   REQUIRE(d.workspace().view.vertex.vertex);

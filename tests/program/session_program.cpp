@@ -64,9 +64,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   const auto written = formats::read(folder / "a.obj").surface.positions;
   CHECK(largest_distance(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage()->diagonal);
   CHECK(largest_distance(written, d.exact_positions()) < 1e-11 * d.document().cage()->diagonal);
-  d.workspace().jobs.wishes.save(workspace::SaveFile::Content::model, folder / "window.obj");
-  d.frame();
-  d.viewer().finish_exports();
+  d.save(workspace::SaveFile::Content::model, folder / "window.obj");
   CHECK(largest_distance(written, formats::read(folder / "window.obj").surface.positions) <
         1e-11 * d.document().cage()->diagonal);
 

@@ -36,12 +36,6 @@ struct Timed : Driver {
     open_pose(file);
     press_key('I');
   }
-  void type_weight(const char* percent) {
-    click("pose_weight/0/typed");
-    press_key('A', true);
-    type(percent);
-    press_key(workspace::Key::enter);
-  }
   // Returns the screen position of a frame on the track. `y` is a fraction of the track's height.
   glm::vec2 on_track(double at, float y) {
     const auto rect = viewer().recorder().find("time/track");
@@ -60,7 +54,7 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.keep("pose_alert");
   const auto alert = d.pose();
   CHECK(d.document().library().poses[0].weight == 1);
-  d.type_weight("100");
+  d.enter("pose_weight/0/typed", "100");
   CHECK(d.pose() == alert);
   d.keep("pose_flight");
   const auto flight = d.pose();
@@ -78,10 +72,10 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.press_key('Z', true);
   CHECK(d.pose() == rest);
   CHECK(d.document().library().poses[0].weight == 0);
-  d.type_weight("100");
+  d.enter("pose_weight/0/typed", "100");
   CHECK(d.document().library().poses[0].weight == 1);
   CHECK(d.pose() == alert);
-  d.type_weight("37.1974");
+  d.enter("pose_weight/0/typed", "37.1974");
   d.click("pose_weight/0/typed");
   CHECK(d.workspace().panels.typed.at("pose_weight/0/typed").text == "37.2");
   d.press_key(workspace::Key::escape);
@@ -92,10 +86,7 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   CHECK(d.workspace().view.chosen_pose == 1);
   d.click("apply_pose");
   CHECK(d.pose() == flight);
-  d.click("pose_name/1");
-  d.press_key('A', true);
-  d.type("Wings");
-  d.press_key(workspace::Key::enter);
+  d.enter("pose_name/1", "Wings");
   CHECK(d.document().library().poses[1].name == "Wings");
 }
 
@@ -127,7 +118,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   // Sliders show the weights of the played pose. A typed weight changes the pose, and undo restores it.
   d.go_to(110);
   const auto played = d.pose();
-  d.type_weight("100");
+  d.enter("pose_weight/0/typed", "100");
   CHECK(d.document().library().poses[0].weight == 1);
   CHECK(d.pose() != played);
   d.press_key('Z', true);

@@ -20,12 +20,6 @@ double diagonal(Driver& d) {
   return 2 / d.document().space().scale;
 }
 
-// Returns the model in double precision. The model drawn in single precision must agree.
-std::vector<mesh::Point> positions(Driver& d) {
-  CHECK(d.drawn_error() < 2e-5);
-  return d.exact_positions();
-}
-
 const std::vector<mesh::Point>& rest_of(Driver& d) {
   return d.document().model().surface->positions;
 }
@@ -59,7 +53,7 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
 
 TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   Dragon d("", test::with_pixels);
-  const auto rest = positions(d);
+  const auto rest = d.checked_positions();
   CHECK(largest_distance(rest, rest_of(d)) < 1e-13 * diagonal(d));
   const auto picture_before = d.picture();
 
@@ -67,7 +61,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   const glm::vec2 from = glm::round(d.vertex(v)), to = from + glm::vec2(60, -50);
   const glm::vec2 offset = d.vertex(v) - from;
   d.press_and_move(from, to);
-  CHECK_MESSAGE(largest_distance(rest, positions(d)) > 0.005 * diagonal(d),
+  CHECK_MESSAGE(largest_distance(rest, d.checked_positions()) > 0.005 * diagonal(d),
                 "the mesh moved before the button was released");
   CHECK(glm::distance(d.vertex(v), to + offset) < 0.05f);
   d.button(0, false);
@@ -76,7 +70,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   CHECK_FALSE(d.workspace().view.options.hints);
 
   // Pixels have changed around the vertex that moved farthest.
-  const auto after = positions(d);
+  const auto after = d.checked_positions();
   std::size_t farthest = 0;
   const auto shift = [&](std::size_t i) { return mesh::norm(after[i] - rest[i]); };
   for (std::size_t i = 0; i < after.size(); ++i)
@@ -93,7 +87,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
   Dragon d;
   const auto v = d.free_vertex();
   d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
-  const auto reference = positions(d);
+  const auto reference = d.checked_positions();
   // If eigenvalues are close, SD has errors up to 1e-4. Close eigenvalues are common near the rest pose.
   const struct {
     const char* widget;
@@ -109,7 +103,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
     d.settle();
     CHECK(d.viewer().deformer()->engine(c.method) ==
           (c.method == sym3::Method::fast ? pose::EngineKind::fused : pose::EngineKind::staged));
-    CHECK_MESSAGE(largest_distance(positions(d), reference) <= c.bound * diagonal(d), c.widget);
+    CHECK_MESSAGE(largest_distance(d.checked_positions(), reference) <= c.bound * diagonal(d), c.widget);
   }
 }
 
@@ -165,7 +159,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
   CHECK_FALSE(is_enabled("method_diag"));
   CHECK_FALSE(is_enabled("rotation"));
-  CHECK(largest_distance(positions(d), rest_of(d)) < 1e-6 * diagonal(d));
+  CHECK(largest_distance(d.checked_positions(), rest_of(d)) < 1e-6 * diagonal(d));
   d.choose("blend", "blend_srl");
   d.settle();
   CHECK(is_enabled("method_diag"));

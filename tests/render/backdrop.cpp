@@ -11,7 +11,7 @@ TEST_CASE("grid_lies_behind_the_model_and_fades_out") {
   render::GridStyle style;
   style.center = {0, -1, 0};
   style.radius = 9;
-  const auto draw_grid = [&] { grid.draw(stage.view, render::dark_theme(), style); };
+  const auto draw_grid = [&] { grid.draw(stage.view, render::theme(true), style); };
   const render::Image alone = stage.picture(draw_grid);
   CHECK(test::count_not_black(alone) > 500);
   CHECK(test::brightness(alone.pixel(2, 2)) == 0);
@@ -21,7 +21,7 @@ TEST_CASE("grid_lies_behind_the_model_and_fades_out") {
   render::SurfaceLayer surface(stage.gl);
   surface.set_triangles(ball.triangles, ball.positions.size());
   surface.set_positions(ball.positions, ball.normals);
-  const auto draw_model = [&] { surface.draw(stage.view, render::dark_theme(), {}); };
+  const auto draw_model = [&] { surface.draw(stage.view, render::theme(true), {}); };
   const render::Image model = stage.picture(draw_model);
   const render::Image both = stage.picture([&] {
     draw_model();

@@ -26,7 +26,7 @@ struct Wall {
     surface.set_positions(corners, std::vector<base::PackedNormal>(4));
   }
   void draw(const render::View& view) const {
-    render::Theme black = render::dark_theme();
+    render::Theme black = render::theme(true);
     black.exposure = 0;
     surface.draw(view, black, {});
   }

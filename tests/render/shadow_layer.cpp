@@ -35,7 +35,7 @@ struct Standing {
   }
   render::Image seen_from(const glm::dvec3& eye, const glm::dvec3& up) {
     stage.view.view = glm::lookAt(eye, glm::dvec3(0), up);
-    render::Theme theme = render::light_theme();
+    render::Theme theme = render::theme(false);
     theme.background_top = theme.background_bottom = glm::vec3(1);
     return stage.picture([&] {
       backdrop.draw(theme);

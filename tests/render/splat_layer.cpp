@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <random>
 
 #include "support/pictures.h"
@@ -337,7 +336,7 @@ TEST_CASE_TEMPLATE("splats_are_hidden_by_nearer_surfaces_and_hide_what_is_drawn_
     wall.set_positions(corners, std::vector<base::PackedNormal>(3, base::pack_normal({0, 0, 1})));
     return scene.picture([&] {
       if (!wall_first) scene.layer.draw(scene.view, {});
-      wall.draw(scene.view, render::dark_theme(), {});
+      wall.draw(scene.view, render::theme(true), {});
       if (wall_first) scene.layer.draw(scene.view, {});
     });
   };

@@ -22,7 +22,7 @@ struct Scene {
 
   test::Stage stage;
   render::SurfaceLayer surface;
-  render::Theme theme = render::dark_theme();
+  render::Theme theme = render::theme(true);
 };
 
 // Two triangles, 16 units wide and high. The texture has a red, a green, a blue and a transparent quarter.

@@ -26,7 +26,7 @@ inline workspace::Workspace ball_workspace(int levels = 4) {
   workspace::Workspace w;
   w.document = document::Document(document::generated_surface(ball(1, levels), "ball"));
   document::set_cage(w.document, document::generated_surface(ball(1.2, levels), "larger ball"));
-  w.view.viewport = {{1000, 800}, {200, 0}, {800, 780}};
+  w.view.camera.viewport = {{1000, 800}, {200, 0}, {800, 780}};
   workspace::frame_all(w, false);
   return w;
 }

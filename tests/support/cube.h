@@ -39,7 +39,7 @@ inline document::Document cube_document() {
 inline workspace::Workspace cube_workspace() {
   workspace::Workspace workspace;
   workspace.document = cube_document();
-  workspace.view.viewport = {{1000, 800}, {200, 0}, {800, 780}};
+  workspace.view.camera.viewport = {{1000, 800}, {200, 0}, {800, 780}};
   workspace::frame_all(workspace, false);
   return workspace;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "mesh/surface.h"
-#include "mesh/vector.h"
 
 namespace viete::test {
 

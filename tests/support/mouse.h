@@ -16,8 +16,7 @@ struct Mouse {
   workspace::PointerInput input;
 
   glm::vec3 seen(std::uint32_t v) const {
-    return *interact::Projector(w.document.space(), w.view.camera,
-                                w.view.viewport)(w.document.pose().positions[v]);
+    return *interact::Projector(w.document.space(), w.view.camera)(w.document.pose().positions[v]);
   }
   glm::vec2 vertex(std::uint32_t v) const { return glm::vec2(seen(v)); }
   void step() {

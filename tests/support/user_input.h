@@ -106,7 +106,7 @@ public:
     for (int i = 0; i < 60; ++i) {
       const auto rect = recorder().find(widget);
       REQUIRE_MESSAGE(rect, "no widget named ", widget);
-      const document::Viewport& v = workspace().view.viewport;
+      const document::Viewport& v = workspace().view.camera.viewport;
       const float end = v.origin.x + v.size.x, top = v.origin.y;
       const bool in_column = rect->y1 > top && (rect->x1 <= v.origin.x || rect->x0 >= end);
       const float end_of_column = top + workspace::column_height(v);
@@ -121,7 +121,7 @@ public:
   }
 
   glm::vec2 on_screen(const mesh::Point& p) {
-    const interact::Projector project(document().space(), workspace().view.camera, workspace().view.viewport);
+    const interact::Projector project(document().space(), workspace().view.camera);
     return glm::vec2(*project(p));
   }
   glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose().positions[i]); }
@@ -161,7 +161,7 @@ private:
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
       const auto shown =
-          workspace::shown_columns(workspace().preferences.layout, workspace().view.viewport.window.x);
+          workspace::shown_columns(workspace().preferences.layout, workspace().view.camera.viewport.window.x);
       if ((methods ? shown.methods : shown.tools) > 0) continue;
       run(column);
       if (unfold_custom(widget)) return;
@@ -181,8 +181,8 @@ private:
 
 inline std::uint32_t UserInput::free_vertex() {
   const auto& w = workspace();
-  const interact::Projector project(w.document.space(), w.view.camera, w.view.viewport);
-  const glm::vec2 middle = w.view.viewport.origin + 0.5f * w.view.viewport.size;
+  const interact::Projector project(w.document.space(), w.view.camera);
+  const glm::vec2 middle = w.view.camera.viewport.middle();
   std::uint32_t best = 0;
   float best_score = -1e9f;
   const auto& points = w.document.pose().positions;

@@ -1,5 +1,4 @@
 // Dialogs get all keys and mouse buttons while they are open.
-#include "document/edit.h"
 #include "document/time_edit.h"
 #include "ui/panel_driver.h"
 #include "ui/widgets.h"
@@ -105,7 +104,7 @@ TEST_CASE("no_key_of_any_keymap_passes_through_a_dialog") {
 
 TEST_CASE("no_button_passes_through_a_dialog") {
   Dialogs d;
-  const glm::vec2 column = d.place_of("keep_pose"), view = d.workspace().view.viewport.origin + 4.0f;
+  const glm::vec2 column = d.place_of("keep_pose"), view = d.workspace().view.camera.viewport.origin + 4.0f;
   for (const char* dialog : dialogs) {
     d.open(dialog);
     const std::string before = unlocked_state(d);

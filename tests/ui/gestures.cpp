@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "interact/gizmo.h"
-#include "interact/shaping.h"
 #include "pose/deformer.h"
 #include "support/distance.h"
 #include "ui/panel_driver.h"

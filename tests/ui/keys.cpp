@@ -1,7 +1,6 @@
 // The keys of all keymaps, the list of keys, and help about keys and mouse.
 
 #include "support/text.h"
-#include "ui/help_overlay.h"
 #include "ui/panel_driver.h"
 
 using namespace viete;

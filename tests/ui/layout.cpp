@@ -1,17 +1,16 @@
 // Uses columns, menus and the palette by mouse and keys.
 #include "ui/panel_driver.h"
-#include "workspace/menus.h"
 
 using namespace viete;
 using test::PanelDriver;
 
 TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narrower") {
   PanelDriver d;
-  const auto before = d.workspace().view.viewport;
+  const auto before = d.workspace().view.camera.viewport;
   d.drag({before.origin.x + 3, 60}, {before.origin.x + 83, 60});
-  CHECK(d.workspace().view.viewport.origin.x == doctest::Approx(before.origin.x + 80).epsilon(0.02));
-  CHECK(d.workspace().view.viewport.size.x < before.size.x - 70);
-  const float end = d.workspace().view.viewport.origin.x + d.workspace().view.viewport.size.x;
+  CHECK(d.workspace().view.camera.viewport.origin.x == doctest::Approx(before.origin.x + 80).epsilon(0.02));
+  CHECK(d.workspace().view.camera.viewport.size.x < before.size.x - 70);
+  const float end = d.workspace().view.camera.viewport.origin.x + d.workspace().view.camera.viewport.size.x;
   d.drag({end - 3, 60}, {end - 43, 60});
   CHECK(d.workspace().preferences.layout.width[1] == doctest::Approx(360).epsilon(0.02));
   CHECK(d.document().selection().empty());
@@ -19,7 +18,7 @@ TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narro
   for (const bool shown : {false, true}) {
     d.click("tab/methods");
     CHECK(d.is_seen("method_diag") == shown);
-    CHECK((d.workspace().view.viewport.size.x > 800) == !shown);
+    CHECK((d.workspace().view.camera.viewport.size.x > 800) == !shown);
   }
 }
 
@@ -44,7 +43,7 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   d.click("menu/select_all");
   CHECK(d.document().selection().size() == d.document().pose().positions.size());
   d.frame(2);
-  const auto& port = d.workspace().view.viewport;
+  const auto& port = d.workspace().view.camera.viewport;
   const glm::vec2 empty = port.origin + glm::vec2(0.5f * port.size.x, port.size.y - 70);
   d.drag(empty, empty + glm::vec2(40, 5), 1);
   CHECK_FALSE(d.workspace().view.camera.pose() == camera);

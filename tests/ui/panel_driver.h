@@ -73,7 +73,7 @@ private:
   }
   void place_viewport() {
     auto& view = workspace_.view;
-    view.viewport =
+    view.camera.viewport =
         workspace::viewport_of(view.split,
                                workspace::view_between(workspace_.preferences.layout, size_,
                                                        view.options.panels, workspace_.panels.notice_height),

@@ -31,7 +31,7 @@ bool is_on_notice_bar(const std::string& name) {
 
 bool is_inside(PanelDriver& d, const std::string& widget) {
   const auto rect = d.recorder().find(widget);
-  const glm::vec2 end = d.workspace().view.viewport.window;
+  const glm::vec2 end = d.workspace().view.camera.viewport.window;
   return rect && rect->visible && rect->x0 >= 0 && rect->y0 >= 0 && rect->x1 <= end.x && rect->y1 <= end.y;
 }
 
@@ -124,12 +124,13 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
       CHECK(rect.x0 >= 0);
       CHECK(rect.x1 <= static_cast<float>(size.x));
       CHECK(rect.y0 >= 0);
-      CHECK(rect.y1 <= (is_on_notice_bar(widget) ? w.view.viewport.origin.y : static_cast<float>(size.y)));
+      CHECK(rect.y1 <=
+            (is_on_notice_bar(widget) ? w.view.camera.viewport.origin.y : static_cast<float>(size.y)));
     }
     CHECK(seen == 8);
     w.files.question.reset();
     d.frame(3);
     d.click("put_off_leftovers");
-    CHECK(w.view.viewport.origin.y == workspace::PanelLayout::menu_height);
+    CHECK(w.view.camera.viewport.origin.y == workspace::PanelLayout::menu_height);
   }
 }

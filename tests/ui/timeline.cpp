@@ -139,9 +139,9 @@ TEST_CASE("many_rows_enlarge_the_timeline_then_scroll_and_long_names_are_cut") {
   const std::string name = "a pose with a name that is too long for its row";
   d.document().changed_library().poses[1].name = name;
   d.key_slider(0);
-  const float before = d.workspace().view.viewport.size.y;
+  const float before = d.workspace().view.camera.viewport.size.y;
   for (int i = 1; i < 12; ++i) d.key_slider(i);
-  CHECK(d.workspace().view.viewport.size.y < before);
+  CHECK(d.workspace().view.camera.viewport.size.y < before);
   CHECK(d.is_seen("time/row/1"));
   CHECK_FALSE(d.is_seen("time/row/12"));
   CHECK(d.says("a pose with..."));

@@ -3,6 +3,7 @@
 
 #include "document/time_edit.h"
 #include "ui/panel_driver.h"
+#include "ui/widgets.h"
 
 using namespace viete;
 using test::PanelDriver;
@@ -246,7 +247,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
     // If all sections are folded, the left column has at most 20 controls.
     std::size_t controls = 0;
     for (const auto& [name, rect] : recorder.all())
-      controls += rect.x1 <= d.workspace().view.viewport.origin.x && !name.starts_with("menu/");
+      controls += rect.x1 <= d.workspace().view.camera.viewport.origin.x && !name.starts_with("menu/");
     CHECK(controls <= 20);
   }
 }
@@ -280,7 +281,7 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
     const auto rect = d.recorder().find("toast/0");
     REQUIRE(rect);
     CHECK(rect->x0 >= tool->x1);
-    CHECK(rect->x1 <= w.view.viewport.origin.x + w.view.viewport.size.x);
+    CHECK(rect->x1 <= w.view.camera.viewport.origin.x + w.view.camera.viewport.size.x);
     CHECK(rect->y1 - rect->y0 < 140);  // at most six lines
   }
 }
@@ -332,4 +333,19 @@ TEST_CASE("arrow_keys_and_enter_choose_in_every_list") {
   CHECK(d.workspace().view.options.field == analysis::Field::none);
   by_key("deformer", workspace::Key::down);
   CHECK(pose::preset_of(d.document().deformer()) == pose::Preset::mean_value);
+}
+
+TEST_CASE("the_summary_of_checks_counts_problems_and_notes_apart") {
+  workspace::CheckState checks;
+  CHECK(ui::checks_summary(checks, 0) == "no problems");
+  checks.findings.resize(2);  // open edges of the model
+  checks.findings[0].subject = document::Subject::cage;
+  CHECK(ui::checks_summary(checks, 0) == "1 problem, 1 note");
+  CHECK(ui::checks_summary(checks, 1) == "2 problems, 1 note");
+}
+
+TEST_CASE("errors_say_nan_and_exact_zero") {
+  CHECK(ui::error(0) == "0");
+  CHECK(ui::error(3.14e-16) == "3.1e-16");
+  CHECK(ui::error(std::nan("")) == "NaN");
 }

@@ -7,7 +7,6 @@
 #include "support/commands.h"
 #include "support/cube.h"
 #include "support/edits.h"
-#include "workspace/menus.h"
 
 using namespace viete;
 using namespace viete::document;

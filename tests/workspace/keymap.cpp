@@ -1,5 +1,3 @@
-#include "workspace/keymap.h"
-
 #include <doctest/doctest.h>
 
 #include <set>

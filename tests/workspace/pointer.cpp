@@ -161,7 +161,7 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
       const glm::vec2 outward = glm::normalize(point.at - gizmo.center);
       for (const float off : {-11.0f, 11.0f}) {
         const glm::vec2 at = point.at + off * outward;
-        const auto edge = pick_element(m.w.document, m.w.view.camera, m.w.view.viewport, at);
+        const auto edge = pick_element(m.w.document, m.w.view.camera, at);
         if (!point.front || pick_handle(gizmo, at) || !edge || edge->index == selected.front()) continue;
         ++tried;
         m.drag(at, at + 25.0f * glm::vec2(-outward.y, outward.x));

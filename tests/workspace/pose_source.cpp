@@ -1,17 +1,14 @@
 // The source of the shown pose after each transition.
 #include <doctest/doctest.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "document/cage_editing.h"
 #include "document/pose_edit.h"
 #include "document/probes.h"
-#include "document/record.h"
 #include "document/time_edit.h"
 #include "support/posed_cube.h"
-#include "workspace/apply_opened.h"
 #include "workspace/command.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"

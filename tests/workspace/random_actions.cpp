@@ -7,7 +7,7 @@
 #include "support/cube.h"
 #include "support/edits.h"
 #include "support/skip.h"
-#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
 #include "workspace/playing.h"
 #include "workspace/pointer.h"
 
@@ -53,7 +53,7 @@ private:
 
   glm::vec2 anywhere() { return {200 + below(800), below(780)}; }
   glm::vec2 near_vertex() {
-    const Projector project(w.document.space(), w.view.camera, w.view.viewport);
+    const Projector project(w.document.space(), w.view.camera);
     const auto at = project(w.document.pose().positions[static_cast<std::size_t>(below(8))]);
     return at ? glm::vec2(*at) + glm::vec2(below(7) - 3, below(7) - 3) : anywhere();
   }

@@ -1,5 +1,4 @@
 #include "workspace/time_view.h"
-#include "workspace/time_gestures.h"
 
 #include "document/time_edit.h"
 #include "support/commands.h"

@@ -1,6 +1,4 @@
 // Keys of the weights of named poses: their evaluation, their edits, and the sliders.
-#include <cmath>
-#include <functional>
 
 #include "document/cage_editing.h"
 #include "document/edit.h"
@@ -13,7 +11,6 @@
 #include "support/open.h"
 #include "support/posed_cube.h"
 #include "workspace/playing.h"
-#include "workspace/time_gestures.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -54,6 +51,15 @@ struct Weighted {
     REQUIRE(test::run_command(w, "set_key"));
     w.panels.hovered_weight.reset();
     pass();
+  }
+  // Sets keys of the whole pose: turned at frame 1, at rest at frame 21.
+  void key_turned_and_rest() {
+    w.document.changed_timeline().last = 21;
+    weigh(0, 1);
+    press_i();
+    go_to(21);
+    weigh(0, 0);
+    press_i();
   }
   void take_back() {
     undo(w.document);
@@ -243,12 +249,7 @@ TEST_CASE("clear_weights_clears_the_sliders_that_show_keyed_weights") {
 
 TEST_CASE("a_key_of_a_weight_does_not_move_the_camera_to_its_keys") {
   Weighted p;
-  p.document().changed_timeline().last = 21;
-  p.weigh(0, 1);
-  p.press_i();
-  p.go_to(21);
-  p.weigh(0, 0);
-  p.press_i();
+  p.key_turned_and_rest();
   CameraPose camera = p.w.view.camera.pose();
   set_camera_key(p.document(), 1, camera);
   p.pass();
@@ -348,12 +349,7 @@ TEST_CASE("auto_key_keys_an_edited_cage_and_keeps_keyed_weights") {
 
 TEST_CASE("a_keyed_weight_is_added_to_the_weight_in_the_keyed_poses") {
   Weighted p;
-  p.document().changed_timeline().last = 21;
-  p.weigh(0, 1);
-  p.press_i();
-  p.go_to(21);
-  p.weigh(0, 0);
-  p.press_i();
+  p.key_turned_and_rest();
   p.go_to(11);
   CHECK(p.weight(0) == doctest::Approx(0.5));
   p.weigh(0, 0.8);

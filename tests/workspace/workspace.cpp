@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "support/posed_cube.h"
 #include "workspace/command.h"
 
 using namespace viete;

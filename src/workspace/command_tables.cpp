@@ -1,12 +1,10 @@
-#include "workspace/menus.h"
+#include "workspace/command_tables.h"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <sstream>
 
 #include "base/file_bytes.h"
-#include "workspace/command_tables.h"
 
 namespace viete::workspace {
 
