@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/os.h"
 #include "files/session.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 namespace viete::app {
 

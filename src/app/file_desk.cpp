@@ -13,7 +13,7 @@
 #include "base/process.h"
 #include "base/text.h"
 #include "files/output.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 namespace viete::app {
 

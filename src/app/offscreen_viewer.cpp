@@ -10,8 +10,8 @@
 #include "base/numbered_files.h"
 #include "base/text.h"
 #include "document/pose_edit.h"
+#include "workspace/open_save.h"
 #include "workspace/playing.h"
-#include "workspace/saving.h"
 
 namespace viete::app {
 

@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "platform/window.h"
 #include "workspace/command.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 namespace viete::app {
 

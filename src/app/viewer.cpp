@@ -13,8 +13,8 @@
 #include "document/cage_editing.h"
 #include "sym3/kernel.h"
 #include "ui/panels.h"
+#include "workspace/open_save.h"
 #include "workspace/playing.h"
-#include "workspace/saving.h"
 
 namespace viete::app {
 

@@ -1,4 +1,4 @@
-// Reads files that the user opens. workspace/saving.h then applies the result to a workspace.
+// Reads files that the user opens. workspace/open_save.h then applies the result to a workspace.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "files/output.h"
 #include "workspace/command_tables.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 namespace viete::workspace {
 

@@ -5,7 +5,7 @@
 #include "support/files.h"
 #include "support/shapes.h"
 #include "support/text.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using What = files::OpenRequest::What;

@@ -1,7 +1,7 @@
 #include "app/file_desk.h"
 
 #include "support/files.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using What = files::OpenRequest::What;

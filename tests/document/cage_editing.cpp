@@ -6,7 +6,7 @@
 #include "support/cube.h"
 #include "support/edits.h"
 #include "support/shapes.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace viete::document;

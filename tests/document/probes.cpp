@@ -5,8 +5,8 @@
 #include "support/edits.h"
 #include "support/files.h"
 #include "support/grips.h"
+#include "workspace/open_save.h"
 #include "workspace/pointer.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using namespace viete::document;

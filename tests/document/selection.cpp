@@ -9,7 +9,7 @@
 #include "support/edits.h"
 #include "support/grips.h"
 #include "support/mouse.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace viete::document;

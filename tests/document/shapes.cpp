@@ -6,8 +6,8 @@
 #include "support/files.h"
 #include "support/posed_cube.h"
 #include "support/text.h"
+#include "workspace/open_save.h"
 #include "workspace/playing.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using namespace viete::document;

@@ -9,7 +9,7 @@
 #include "support/files.h"
 #include "support/posed_cube.h"
 #include "support/text.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace viete::document;

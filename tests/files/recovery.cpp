@@ -5,7 +5,7 @@
 #include "document/pose_edit.h"
 #include "support/files.h"
 #include "support/zombie.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace viete::document;

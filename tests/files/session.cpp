@@ -13,8 +13,8 @@
 #include "support/posed_cube.h"
 #include "support/skip.h"
 #include "support/text.h"
+#include "workspace/open_save.h"
 #include "workspace/playing.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using test::mentions;

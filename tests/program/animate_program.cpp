@@ -8,8 +8,8 @@
 #include "program/command_line.h"
 #include "support/animated_cube.h"
 #include "support/pictures.h"
+#include "workspace/open_save.h"
 #include "workspace/playing.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using namespace viete::test;

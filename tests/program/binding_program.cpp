@@ -6,7 +6,7 @@
 #include "support/folder.h"
 #include "support/shapes.h"
 #include "weights/binding.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::Driver;

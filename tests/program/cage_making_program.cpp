@@ -5,7 +5,7 @@
 #include "support/ball.h"
 #include "support/edits.h"
 #include "support/text.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::Dragon, test::Driver;

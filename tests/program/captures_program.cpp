@@ -3,7 +3,7 @@
 #include "program/command_line.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::Driver;

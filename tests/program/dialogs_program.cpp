@@ -8,8 +8,8 @@
 #include "program/small_scene.h"
 #include "support/pictures.h"
 #include "ui/widgets.h"
+#include "workspace/open_save.h"
 #include "workspace/preferences.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using test::Dragon, test::Driver, test::remembering;

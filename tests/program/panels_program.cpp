@@ -5,7 +5,7 @@
 #include "support/folder.h"
 #include "support/pictures.h"
 #include "ui/system_fonts.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::Dragon, test::Driver;

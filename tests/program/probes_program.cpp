@@ -6,7 +6,7 @@
 #include "interact/transform_drag.h"
 #include "program/small_scene.h"
 #include "support/pictures.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::Driver;

@@ -1,7 +1,7 @@
 // Ends the program by kill -9 and in other ways. Unsaved edits must survive.
 
 #include "program/kept_work.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace test;

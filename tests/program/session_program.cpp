@@ -4,7 +4,7 @@
 #include "program/command_line.h"
 #include "program/kept_work.h"
 #include "support/pictures.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace test;

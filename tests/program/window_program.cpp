@@ -6,7 +6,7 @@
 #include "program/driver.h"
 #include "support/ball.h"
 #include "support/pictures.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::Child;

@@ -1,7 +1,7 @@
 // Opens files and waits until they are open.
 #pragma once
 
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 #include "workspace/workspace.h"
 
 namespace viete::test {

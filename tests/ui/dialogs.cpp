@@ -2,7 +2,7 @@
 #include "document/time_edit.h"
 #include "ui/panel_driver.h"
 #include "ui/widgets.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::PanelDriver;

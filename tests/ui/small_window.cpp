@@ -1,7 +1,7 @@
 // All controls must be usable in a window of any size and scale.
 #include "support/commands.h"
 #include "ui/panel_driver.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using test::PanelDriver;

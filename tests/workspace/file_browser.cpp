@@ -2,7 +2,7 @@
 
 #include "support/folder.h"
 #include "support/text.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace viete::document;

@@ -5,7 +5,7 @@
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 using namespace viete;
 using namespace viete::document;

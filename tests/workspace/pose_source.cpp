@@ -10,8 +10,8 @@
 #include "document/time_edit.h"
 #include "support/posed_cube.h"
 #include "workspace/command.h"
+#include "workspace/open_save.h"
 #include "workspace/playing.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using namespace viete::document;

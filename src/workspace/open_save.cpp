@@ -1,4 +1,4 @@
-#include "workspace/saving.h"
+#include "workspace/open_save.h"
 
 #include <algorithm>
 #include <utility>
