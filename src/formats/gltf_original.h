@@ -18,8 +18,8 @@ bool is_gltf_capture(const GltfJson& document);
 
 /// Returns an original that writes .gltf and .glb. If several nodes use a moved mesh, each node gets a
 /// separate mesh. Writes the external buffers of out.gltf to out.bin, out-2.bin, ..., and never overwrites
-/// unrelated files. Copies external images from the folder of the old file and below. If no position changed, writing copies the bytes of
-/// `source`. This requires source.owner and no external files.
+/// unrelated files. Copies external images from the folder of the old file and below. If no position changed,
+/// writing copies the bytes of `source`. This requires source.owner and no external files.
 std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map);
 
 /// The rewritten file before conversion to JSON or GLB.

@@ -18,7 +18,7 @@
 #include "formats/file_vectors.h"
 #include "formats/ply_capture.h"
 #include "formats/ply_file.h"
-#include "mesh/point_index.h"
+#include "mesh/point_tree.h"
 
 namespace viete::formats {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <locale>
-#include <numeric>
 #include <sstream>
 #include <string_view>
 
@@ -94,9 +93,7 @@ std::vector<std::uint32_t> order_of(const formats::ReadResult& read, const Cage&
   warnings.push_back(file +
                      ": the faces of this pose differ from the faces of the cage; only the vertex "
                      "positions are used");
-  std::vector<std::uint32_t> same(read.surface.positions.size());
-  std::iota(same.begin(), same.end(), 0U);
-  return same;
+  return mesh::first_numbers(read.surface.positions.size());
 }
 
 std::string turn_line(std::size_t part, const Vec3& v) {

@@ -8,7 +8,7 @@
 
 #include "pose/cage.h"
 #include "pose/deformer.h"
-#include "weights/bind_jobs.h"
+#include "weights/bind_kernel.h"
 
 namespace viete::weights {
 

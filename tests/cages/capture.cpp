@@ -1,4 +1,4 @@
-#include "cages/capture.h"
+#include "cages/subject.h"
 
 #include <doctest/doctest.h>
 

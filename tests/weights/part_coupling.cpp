@@ -2,7 +2,7 @@
 
 #include "deform/bound.h"
 #include "formats/read.h"
-#include "mesh/edge_paths.h"
+#include "mesh/half_edges.h"
 #include "mesh/repair.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 
 #include "deform/bound.h"
-#include "weights/lattice.h"
+#include "weights/coarse_model.h"
 #include "weights/point_weights.h"
 #include "weights/tiled_binding.h"
 
