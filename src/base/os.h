@@ -55,8 +55,8 @@ std::FILE* reserve_output();
 /// the process ends. Its files cannot be larger than `bytes`, and a crash does not write a core file.
 void limit_process(double bytes, unsigned seconds);
 /// From now on, the calling thread and its new threads can only read these files, and the files in these
-/// folders and below. They cannot write or open other files, use the network or start programs; files that are
-/// open stay open. Needs Linux 5.13; elsewhere, does less or nothing.
+/// folders and below. They cannot write or open other files, use the network or start programs; files that
+/// are open stay open. Needs Linux 5.13; elsewhere, does less or nothing.
 void confine_process(const std::vector<fs::path>& readable);
 
 // ---------------------------------------------------------------- machine

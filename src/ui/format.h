@@ -9,9 +9,9 @@
 
 namespace viete::ui {
 
+using base::formatted;
 using base::milliseconds;
 using base::nanoseconds;
-using base::formatted;
 
 /// Beside times that are too long, see workspace::FrameTimes::busy.
 inline constexpr std::string_view busy_words = "the computer is busy";
