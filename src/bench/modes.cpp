@@ -19,7 +19,7 @@
 #include "mesh/repair.h"
 #include "mesh/triangle_tree.h"
 #include "pose/maps.h"
-#include "pose/pose_io.h"
+#include "pose/cage.h"
 #include "sym3/kernel.h"
 #include "weights/bind.h"
 #include "weights/binding.h"

@@ -18,7 +18,7 @@
 #include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"
 #include "mesh/vertex_order.h"
-#include "pose/pose_io.h"
+#include "pose/cage.h"
 
 namespace viete::files {
 

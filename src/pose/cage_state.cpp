@@ -68,15 +68,6 @@ AffineMap map_of(const MapLog& log) {
 
 }  // namespace
 
-void check_pose(const Cage& cage, std::size_t vertices, const std::string& place) {
-  const std::size_t expected = cage.surface.positions.size();
-  if (vertices == expected) return;
-  throw base::Error(
-      place,
-      "the pose has " + std::to_string(vertices) + " vertices, the cage has " + std::to_string(expected),
-      "choose a pose of this cage");
-}
-
 RowForm row_form(Elements elements, Blend blend) {
   switch (blend) {
     case Blend::mls_affine: return RowForm::affine_moments;

@@ -17,9 +17,6 @@
 
 namespace viete::pose {
 
-/// Throws base::Error if `vertices` is not the cage's vertex count. `place` names the source of the pose.
-void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
-
 RowForm row_form(Elements elements, Blend blend);
 const RowShape& shape(RowForm form);
 

@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <doctest/doctest.h>
-
 #include "deform/bound.h"
 #include "pose/all_maps.h"
 #include "pose/maps.h"

@@ -7,7 +7,7 @@
 #include "document/probes.h"
 #include "formats/write.h"
 #include "pose/deformer.h"
-#include "pose/pose_io.h"
+#include "pose/cage.h"
 #include "program/small_scene.h"
 #include "support/folder.h"
 #include "support/pictures.h"

@@ -1,6 +1,4 @@
 #include <doctest/doctest.h>
-
-#include <doctest/doctest.h>
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 

@@ -6,7 +6,7 @@
 #include "mesh/repair.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"
-#include "pose/pose_io.h"
+#include "pose/cage.h"
 #include "support/caged_shapes.h"
 #include "support/data.h"
 
