@@ -113,25 +113,6 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-struct FusedFrame {
-  FusedFrame(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
-             base::WorkerPool& pool)
-      : state(std::move(cage), binding->weighting.elements, pose::Blend::srl),
-        engine(std::move(binding), state.rows().form, pool) {}
-
-  void deform(const pose::Pose& pose) {
-    state.set_pose(pose);
-    engine.run(state);
-  }
-  pose::StageTimes times() const {
-    pose::StageTimes all = state.times();
-    return all += engine.times();
-  }
-
-  pose::CageState state;
-  deform::FusedEngine engine;
-};
-
 class FrameRuns {
 public:
   FrameRuns(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage)
@@ -204,28 +185,25 @@ private:
 
   void add_fused(const std::string& name, const std::shared_ptr<const weights::Binding>& binding,
                  base::WorkerPool& pool, bool drag) {
-    frames_.push_back(std::make_unique<FusedFrame>(cage_, binding, pool));
+    frames_.push_back(
+        std::make_unique<deform::FrameDeformer>(cage_, binding, pose::Deformer{weighting_}, pool));
     auto* frame = frames_.back().get();
     const auto run = [this, frame, drag] {
-      if (!drag) return frame->deform(pose_);
+      if (!drag) return frame->deform(pose_, Method::fast);
       pose::Pose pose = pose_;
       pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
-      frame->deform(pose);
+      frame->deform(pose, Method::fast);
     };
     if (drag) {
-      frame->deform(pose_);
-      frame->state.begin_drag(std::array{0u});
+      frame->deform(pose_, Method::fast);
+      frame->begin_drag(std::array{0u});
     }
     for (int warm = 0; warm < 3; ++warm) run();
-    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->engine.bytes()};
+    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->fused_bytes()};
     if (staged_) {
       c.error = [this, frame, drag] {
-        if (drag) frame->deform(pose_);
-        std::vector<mesh::Point> positions;
-        const mesh::Vec3 origin = frame->state.rows().origin;
-        for (const auto& v : frame->engine.vertices())
-          positions.push_back(origin + mesh::Point{v.position[0], v.position[1], v.position[2]});
-        return distance(expected_, positions) / cage_->diagonal;
+        if (drag) frame->deform(pose_, Method::fast);
+        return distance(expected_, frame->positions()) / cage_->diagonal;
       };
     }
     cases_.push_back(std::move(c));
@@ -239,7 +217,7 @@ private:
   int step_ = 0;
   std::unique_ptr<deform::FrameDeformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;
-  std::vector<std::unique_ptr<FusedFrame>> frames_;
+  std::vector<std::unique_ptr<deform::FrameDeformer>> frames_;
   std::vector<mesh::Point> expected_;
   std::vector<Case> cases_;
 };
