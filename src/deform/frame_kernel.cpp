@@ -288,9 +288,9 @@ static constexpr TileKernel tile_kernel() {
   return {Move::shape.columns, blend_tiles<Move::shape.columns>, apply_tiles<Move>};
 }
 
-// Moving least squares: positions from weights and rows of moments. The sums are in float, relative to a point
-// near the vertex's mean m (see RestMoment) to avoid cancellation. Maps are computed from these sums in double,
-// because nearly flat or collinear points lose digits.
+// Moving least squares: positions from weights and rows of moments. The sums are in float, relative to a
+// point near the vertex's mean m (see RestMoment) to avoid cancellation. Maps are computed from these sums in
+// double, because nearly flat or collinear points lose digits.
 
 // Sums of a vertex: the nine entries of B' by rows, then sum w * p'. See moments.h.
 inline constexpr std::size_t moment_sums = 12;
