@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "deform/exact.h"
-#include "deform/vertex_sample.h"
 #include "document/elements.h"
 #include "shapes/example_posing.h"
 

@@ -13,6 +13,7 @@
 #include "base/median.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
+#include "bench/ensembles.h"
 #include "bench/reference_frame.h"
 #include "weights/bind.h"
 #include "weights/surface_weights.h"
@@ -112,25 +113,6 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-struct FusedFrame {
-  FusedFrame(std::shared_ptr<const pose::Cage> cage, std::shared_ptr<const weights::Binding> binding,
-             base::WorkerPool& pool)
-      : state(std::move(cage), binding->weighting.elements, pose::Blend::srl),
-        engine(std::move(binding), state.rows().form, pool) {}
-
-  void deform(const pose::Pose& pose) {
-    state.set_pose(pose);
-    engine.run(state);
-  }
-  pose::StageTimes times() const {
-    pose::StageTimes all = state.times();
-    return all += engine.times();
-  }
-
-  pose::CageState state;
-  deform::FusedEngine engine;
-};
-
 class FrameRuns {
 public:
   FrameRuns(const mesh::Surface& model, std::shared_ptr<const pose::Cage> cage)
@@ -203,28 +185,25 @@ private:
 
   void add_fused(const std::string& name, const std::shared_ptr<const weights::Binding>& binding,
                  base::WorkerPool& pool, bool drag) {
-    frames_.push_back(std::make_unique<FusedFrame>(cage_, binding, pool));
+    frames_.push_back(
+        std::make_unique<deform::FrameDeformer>(cage_, binding, pose::Deformer{weighting_}, pool));
     auto* frame = frames_.back().get();
     const auto run = [this, frame, drag] {
-      if (!drag) return frame->deform(pose_);
+      if (!drag) return frame->deform(pose_, Method::fast);
       pose::Pose pose = pose_;
       pose.positions[0][0] += 1e-3 * cage_->diagonal * (++step_ % 16);
-      frame->deform(pose);
+      frame->deform(pose, Method::fast);
     };
     if (drag) {
-      frame->deform(pose_);
-      frame->state.begin_drag(std::array{0u});
+      frame->deform(pose_, Method::fast);
+      frame->begin_drag(std::array{0u});
     }
     for (int warm = 0; warm < 3; ++warm) run();
-    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->engine.bytes()};
+    Case c{name, &pool, run, [frame] { return frame->times(); }, {}, frame->fused_bytes()};
     if (staged_) {
       c.error = [this, frame, drag] {
-        if (drag) frame->deform(pose_);
-        std::vector<mesh::Point> positions;
-        const mesh::Vec3 origin = frame->state.rows().origin;
-        for (const auto& v : frame->engine.vertices())
-          positions.push_back(origin + mesh::Point{v.position[0], v.position[1], v.position[2]});
-        return distance(expected_, positions) / cage_->diagonal;
+        if (drag) frame->deform(pose_, Method::fast);
+        return distance(expected_, frame->positions()) / cage_->diagonal;
       };
     }
     cases_.push_back(std::move(c));
@@ -238,7 +217,7 @@ private:
   int step_ = 0;
   std::unique_ptr<deform::FrameDeformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;
-  std::vector<std::unique_ptr<FusedFrame>> frames_;
+  std::vector<std::unique_ptr<deform::FrameDeformer>> frames_;
   std::vector<mesh::Point> expected_;
   std::vector<Case> cases_;
 };
@@ -357,6 +336,95 @@ void check(const BindRuns& runs, const std::vector<BenchResult>& results, Bars& 
              runs.size() < 400'000 ? 4 : 9, true);
 }
 
+using ensembles::Random;
+using ensembles::uniform;
+
+/// Splats of random sizes and directions at random places on the surface.
+struct Capture {
+  mesh::Surface centres;
+  std::shared_ptr<mesh::Splats> splats = std::make_shared<mesh::Splats>();
+
+  Capture(const mesh::Surface& surface, std::size_t count, int degree) {
+    Random random(31);
+    splats->degree = degree;
+    splats->resize(count);
+    const float size = static_cast<float>(std::log(1e-3 * mesh::bounds(surface.positions).diagonal()));
+    for (std::size_t i = 0; i < count; ++i) {
+      const mesh::Triangle& t = surface.triangles[random() % surface.triangles.size()];
+      const double u = std::sqrt(uniform(random, 0, 1)), v = uniform(random, 0, 1);
+      const auto& p = surface.positions;
+      centres.positions.push_back((1 - u) * p[t[0]] + u * (1 - v) * p[t[1]] + u * v * p[t[2]]);
+      for (float& s : splats->log_scales[i]) s = size + static_cast<float>(uniform(random, -2, 0.5));
+      for (float& q : splats->rotations[i]) q = static_cast<float>(uniform(random, -1, 1));
+    }
+  }
+};
+
+/// Frames of points, and of splats at these points, that are bound to one cage.
+class SplatRuns {
+public:
+  SplatRuns(const mesh::Surface& surface, std::shared_ptr<const pose::Cage> cage, std::size_t count,
+            const pose::Deformer& deformer)
+      : cage_(std::move(cage)),
+        pose_(moderate_pose(*cage_)),
+        deformer_(deformer),
+        capture_(surface, count, 0),
+        colored_(surface, count, 3) {
+    const double step = deform::tip_step(capture_.centres, *cage_, deform::tip_in_float);
+    add("points", capture_.centres);
+    add("splats", deform::with_tips(capture_.centres, step), step, capture_.splats);
+    add("splats, turning colours", deform::with_tips(capture_.centres, step), step, colored_.splats);
+    mesh::Surface seven = deform::with_tips(capture_.centres, step);
+    const auto more = deform::with_tips(capture_.centres, -step).positions;
+    seven.positions.insert(seven.positions.end(), more.begin() + static_cast<std::ptrdiff_t>(count),
+                           more.end());
+    add("seven points per splat", seven);
+  }
+
+  void run(std::size_t rounds) {
+    for (Case& c : cases_) c.run();
+    for (std::size_t round = 0; round < rounds; ++round)
+      for (Case& c : cases_) time_once(c);
+  }
+
+  Table table() const {
+    Table table{{"", "slowest thread ms", "wall ms", "weights"}, {}, {"weights"}};
+    for (std::size_t i = 0; i < cases_.size(); ++i)
+      table.rows.push_back({cases_[i].name, base::few_digits(base::median(cases_[i].cpu_ms)),
+                            base::few_digits(base::median(cases_[i].wall_ms)),
+                            deformers_[i]->binding().tiles->compressed() ? "compressed" : "dense"});
+    return table;
+  }
+  nlohmann::json json() const {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Case& c : cases_)
+      rows.push_back(
+          {{"name", c.name}, {"thread_ms", base::median(c.cpu_ms)}, {"wall_ms", base::median(c.wall_ms)}});
+    return rows;
+  }
+
+private:
+  void add(const std::string& name, mesh::Surface points, double step = 0,
+           std::shared_ptr<const mesh::Splats> splats = nullptr) {
+    auto binding = weights::bind(std::make_shared<const mesh::Surface>(std::move(points)), *cage_,
+                                 deformer_.weighting, pose::EngineKind::fused, nullptr, pool_);
+    binding.tip_step = step;
+    deformers_.push_back(std::make_unique<deform::FrameDeformer>(
+        cage_, std::make_shared<const weights::Binding>(std::move(binding)), deformer_, pool_));
+    deformers_.back()->set_splats(std::move(splats));
+    cases_.push_back(
+        {name, &pool_, [this, d = deformers_.back().get()] { d->deform(pose_, Method::fast); }, {}, {}});
+  }
+
+  std::shared_ptr<const pose::Cage> cage_;
+  pose::Pose pose_;
+  pose::Deformer deformer_;
+  Capture capture_, colored_;
+  base::WorkerPool pool_;
+  std::vector<std::unique_ptr<deform::FrameDeformer>> deformers_;
+  std::vector<Case> cases_;
+};
+
 }  // namespace
 
 std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress) {
@@ -434,6 +502,26 @@ void bench_bind(const ModelOptions& options) {
     json["results"].push_back({{"faces", runs.elements()}, {"times", to_json(results)}});
   }
   json["bars"] = bars.rows;
+  write_json(options.json, json);
+}
+
+void bench_splats(const ModelOptions& options) {
+  ModelOptions whole = options;
+  whole.count = 0;
+  const BenchModel opened(whole);
+  nlohmann::json json = {
+      {"figure", "splats"}, {"splats", options.count}, {"results", nlohmann::json::array()}};
+  for (const auto& cage : opened.cages)
+    for (const pose::Preset preset : {pose::Preset::paper, pose::Preset::mean_value, pose::Preset::smooth}) {
+      SplatRuns runs(opened.model, cage, options.count, pose::deformer_of(preset));
+      runs.run(options.rounds);
+      print(base::with_thousands(options.count) + " splats, " + std::to_string(cage->element_count()) +
+                " cage triangles, deformer " + std::string(base::entry_of(preset).word),
+            runs.table());
+      json["results"].push_back({{"faces", cage->element_count()},
+                                 {"deformer", base::entry_of(preset).word},
+                                 {"times", runs.json()}});
+    }
   write_json(options.json, json);
 }
 

@@ -218,18 +218,16 @@ void RestModel::add_faces(const mesh::Surface& model) {
 
 void RestModel::add_hinges(const mesh::Surface& model) {
   const mesh::HalfEdges table = mesh::half_edges(positions_.size(), model.triangles);
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    if (sides.size() != 2) continue;
+  mesh::for_inner_edges(table, [&](std::size_t e, const mesh::HalfEdge& s, const mesh::HalfEdge& t) {
     const mesh::Edge& edge = table.edges[e];
-    const auto &first = model.triangles[sides[0].triangle], &second = model.triangles[sides[1].triangle];
-    if (!has_area(positions_, first) || !has_area(positions_, second)) continue;
+    const auto &first = model.triangles[s.triangle], &second = model.triangles[t.triangle];
+    if (!has_area(positions_, first) || !has_area(positions_, second)) return;
     Hinge hinge{{edge[0], edge[1], opposite(first, edge), opposite(second, edge)}, 0, 0};
     hinge.weight = 3 * squared_norm(positions_[edge[1]] - positions_[edge[0]]) /
                    (mesh::area(positions_, first) + mesh::area(positions_, second));
     hinge.angle = hinge_angle(positions_, hinge.corners);
     hinges_.push_back(hinge);
-  }
+  });
 }
 
 Distortion RestModel::distortion(std::span<const Point> positions) const {

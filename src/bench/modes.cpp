@@ -13,13 +13,13 @@
 #include "base/text.h"
 #include "bench/table.h"
 #include "deform/frame_deformer.h"
-#include "mesh/edge_paths.h"
+#include "mesh/half_edges.h"
 #include "mesh/normals.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
-#include "mesh/triangle.h"
+#include "mesh/triangle_tree.h"
+#include "pose/cage.h"
 #include "pose/maps.h"
-#include "pose/pose_io.h"
 #include "sym3/kernel.h"
 #include "weights/bind.h"
 #include "weights/binding.h"
@@ -103,18 +103,13 @@ double leak(const pose::Cage& cage, std::span<const Point> model, const Deform& 
 std::vector<CagePoint> nearest_on_cage(const pose::Cage& cage, std::span<const Point> points,
                                        base::WorkerPool& pool) {
   const auto& p = cage.surface.positions;
-  const auto& triangles = cage.surface.triangles;
+  const mesh::TriangleTree tree(p, cage.surface.triangles);
   std::vector<CagePoint> nearest(points.size());
   pool.for_blocks(points.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      double least = std::numeric_limits<double>::infinity();
-      for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        const auto& [a, b, c] = triangles[t];
-        const mesh::Closest found = mesh::closest_on_triangle(points[i], p[a], p[b], p[c]);
-        if (!(found.squared_distance < least)) continue;
-        least = found.squared_distance;
-        nearest[i] = {t, found.barycentric};
-      }
+      const std::uint32_t t = tree.nearest(points[i]).triangle;
+      const auto [a, b, c] = mesh::corners_of(p, cage.surface.triangles[t]);
+      nearest[i] = {t, mesh::closest_on_triangle(points[i], a, b, c).barycentric};
     }
   });
   return nearest;

@@ -210,14 +210,12 @@ std::vector<TrianglePair> quad_pairs(const Shell& shell, const TriangleTest& fit
   };
   std::vector<Option> options;
   const mesh::HalfEdges edges = mesh::half_edges(shell.positions.size(), shell.triangles);
-  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
-    const auto sides = edges.of(e);
-    if (sides.size() != 2) continue;
-    const TrianglePair pair = {sides[0].triangle, sides[1].triangle};
+  mesh::for_inner_edges(edges, [&](std::size_t, const mesh::HalfEdge& s, const mesh::HalfEdge& t) {
+    const TrianglePair pair = {s.triangle, t.triangle};
     const Quad quad = quad_of(shell.triangles[pair[0]], shell.triangles[pair[1]]);
     const double bad = badness(shell, quad);
     if (bad <= 1 && (!fits || fit(shell, quad, fits))) options.push_back({bad, pair});
-  }
+  });
   std::ranges::stable_sort(options, {}, &Option::badness);
   std::vector<std::uint8_t> taken(shell.triangles.size(), 0);
   std::vector<TrianglePair> pairs;

@@ -3,11 +3,10 @@
 #include <utility>
 
 #include "cages/subject.h"
-#include "mesh/defects.h"
 #include "mesh/summary.h"
+#include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"
-#include "mesh/winding_number.h"
 
 namespace viete::cages {
 

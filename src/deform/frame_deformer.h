@@ -66,6 +66,8 @@ public:
   /// The engine of the last frame; nullopt before the first frame.
   std::optional<pose::EngineKind> ran() const { return ran_; }
   pose::StageTimes times() const;
+  /// Returns FusedEngine::bytes() of the last frame, which must be fused.
+  std::size_t fused_bytes() const { return fused_->bytes(); }
 
   /// Return copies of all positions and normals of the last frame. The staged engine gives double precision,
   /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves the model.

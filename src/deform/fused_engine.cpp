@@ -13,32 +13,15 @@ namespace viete::deform {
 
 namespace {
 
+using weights::TileLines;
+
 constexpr std::size_t few = 4;               // a drag uses cached sums if at most 1 / few of the handles move
 constexpr std::size_t skeleton_block = 256;  // slots per task
 
-void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* table) {
-  for (std::size_t s = 0; s < slots; ++s) {
-    const float* from = sums + s / weights::lanes * weights::lanes * columns + s % weights::lanes;
-    for (std::size_t c = 0; c < columns; ++c) table[s * columns + c] = from[c * weights::lanes];
-  }
+void to_rows(TileLines<const float> sums, std::size_t slots, float* table) {
+  for (std::size_t s = 0; s < slots; ++s)
+    for (std::size_t c = 0; c < sums.lines; ++c) table[s * sums.lines + c] = sums.at(s, c);
 }
-
-// Gives access by slot to an array [tile][line][lane].
-template <class T>
-struct TileLines {
-  T* data;
-  std::size_t lines;
-
-  T& at(std::size_t slot, std::size_t line) const {
-    return data[(slot / weights::lanes * lines + line) * weights::lanes + slot % weights::lanes];
-  }
-  Vec3 three(std::size_t slot, std::size_t first) const {
-    return {at(slot, first), at(slot, first + 1), at(slot, first + 2)};
-  }
-  void set(std::size_t slot, std::size_t first, const Vec3& v) const {
-    for (std::size_t i = 0; i < 3; ++i) at(slot, first + i) = static_cast<float>(v[i]);
-  }
-};
 
 // Fills a table of moment rows. A handle has the weight v and the rest centre p. `near` is the point in the
 // slot's first three rest moments. With this table, the blend kernel computes
@@ -156,14 +139,12 @@ void FusedEngine::blend(const pose::CageState& state, std::span<double> sums) {
     const std::size_t begin = binding_->leaves.begin(leaf), end = binding_->leaves.end(leaf);
     base::AlignedVector<float> leaf_sums((end - begin) * columns_);
     tiles_.blend(frame_run(leaf), leaf_sums.data());
+    const TileLines<const float> from{leaf_sums.data(), columns_};
     for (std::size_t slot = begin; slot < std::min(end, binding_->leaves.vertices); ++slot) {
-      const std::size_t s = slot - begin;
-      const float* from =
-          leaf_sums.data() + s / weights::lanes * weights::lanes * columns_ + s % weights::lanes;
       double* to = sums.data() + binding_->leaves.order[slot] * columns_;
       for (std::size_t c = 0; c < columns_; ++c) {
         const double mean = c < rows.with_mean ? static_cast<double>(mean_[c]) : 0;
-        to[c] = (from[c * weights::lanes] + mean) * (c < rows.first_length ? 1 : binding_->unit);
+        to[c] = (from.at(slot - begin, c) + mean) * (c < rows.first_length ? 1 : binding_->unit);
       }
       if (!shares_.empty()) share(slot, to);
     }
@@ -175,11 +156,10 @@ void FusedEngine::blend(const pose::CageState& state, std::span<double> sums) {
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
-  const float* rest = rest_.data() + slot / weights::lanes * weights::lanes * 3 + slot % weights::lanes;
+  const TileLines<const float> rest{rest_.data(), 3};
   for (std::size_t c = 0; c < columns_; ++c) {
     sums[c] *= share;
-    if (c >= center)
-      sums[c] += (1 - share) * binding_->unit * static_cast<double>(rest[(c - center) * weights::lanes]);
+    if (c >= center) sums[c] += (1 - share) * binding_->unit * static_cast<double>(rest.at(slot, c - center));
   }
 }
 
@@ -351,11 +331,10 @@ void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   TileRun run = leaf_run(leaf, nullptr);
   base::AlignedVector<float> pivots(run.rows * columns_);
   const bool factored = !b.factored[leaf].dense;
+  const TileLines<const float> skeleton{b.skeleton.data(), b.handles};
   const auto pivot_weight = [&](std::size_t row, std::size_t handle) -> float {
     if (!factored) return row == handle;  // a dense leaf stores all weights
-    const std::size_t slot = b.factored[leaf].pivots + row;
-    return b.skeleton[slot / weights::lanes * weights::lanes * b.handles + handle * weights::lanes +
-                      slot % weights::lanes];
+    return skeleton.at(b.factored[leaf].pivots + row, handle);
   };
   float* const out = drag_.weights.data() + begin * count;
   for (std::size_t m = 0; m < count; m += columns_) {
@@ -378,7 +357,7 @@ void FusedEngine::blend_skeleton(const float* table) {
     tiles_.blend(
         {(end - begin) / weights::lanes, b.handles, b.skeleton.data() + begin * b.handles, table, nullptr},
         sums);
-    to_rows(sums, end - begin, columns_, skeleton_table_.data() + begin * columns_);
+    to_rows({sums, columns_}, end - begin, skeleton_table_.data() + begin * columns_);
   });
 }
 

@@ -219,16 +219,16 @@ void ProbeTiles::weigh(const ProbeLayer& layer, std::span<const std::uint32_t> v
   leaf.tiles = vertices.size() / weights::lanes;
   const std::size_t rows = rows_per_probe * probes.size();
   leaf.weights.assign(vertices.size() * rows, 0.0f);
+  const weights::TileLines<float> lines{leaf.weights.data(), rows};
   for (std::size_t s = 0; s < vertices.size(); ++s) {
     const double follows = layer.follows(vertices[s]);
-    float* tile = leaf.weights.data() + s / weights::lanes * weights::lanes * rows + s % weights::lanes;
     for (const auto& [probe, w] : layer.shares(vertices[s])) {
       const auto place = static_cast<std::size_t>(std::ranges::lower_bound(probes, probe) - probes.begin());
-      float* own = tile + rows_per_probe * place * weights::lanes;
-      own[stretch_row * weights::lanes] = static_cast<float>(follows * w.stretch);
-      own[turn_row * weights::lanes] = static_cast<float>(follows * w.turn);
-      own[move_row * weights::lanes] = static_cast<float>(follows * w.move);
-      own[pivot_row * weights::lanes] = static_cast<float>(w.pivot);
+      const std::size_t own = rows_per_probe * place;
+      lines.at(s, own + stretch_row) = static_cast<float>(follows * w.stretch);
+      lines.at(s, own + turn_row) = static_cast<float>(follows * w.turn);
+      lines.at(s, own + move_row) = static_cast<float>(follows * w.move);
+      lines.at(s, own + pivot_row) = static_cast<float>(w.pivot);
     }
   }
 }

@@ -250,15 +250,6 @@ void Stitcher::solve(std::span<const Vec3> held) {
   s.factors.solve(right_, positions_, work_);
 }
 
-namespace {
-
-Vec3 vector_of_slot(const base::AlignedVector<float>& array, std::size_t slot, double unit) {
-  const float* at = array.data() + slot / weights::lanes * weights::lanes * 3 + slot % weights::lanes;
-  return unit * Vec3{at[0], at[weights::lanes], at[2 * weights::lanes]};
-}
-
-}  // namespace
-
 StitchedEngine::StitchedEngine(std::shared_ptr<const weights::Binding> binding,
                                std::shared_ptr<const Stitching> stitching, pose::RowForm form, int iterations,
                                base::WorkerPool& pool)
@@ -355,9 +346,10 @@ std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices,
   some.rest =
       std::make_shared<const std::vector<mesh::Point>>(mesh::picked(std::span(*bound_->rest), vertices));
   some.rest_origin = bound_->rest_origin;
+  const weights::TileLines<const float> offsets{binding_->offsets.data(), 3};
   std::vector<double> sums;
   for (const auto v : vertices) {
-    some.offsets.push_back(vector_of_slot(binding_->offsets, slots_[v], binding_->unit));
+    some.offsets.push_back(binding_->unit * offsets.three(slots_[v], 0));
     const auto from = std::span(sums_).subspan(v * columns, columns);
     sums.insert(sums.end(), from.begin(), from.end());
   }

@@ -106,7 +106,7 @@ private:
   Stitcher stitcher_;
   std::vector<std::uint32_t> slots_;  // slot of each vertex
   std::vector<std::size_t> held_;     // the vertices with holds
-  weights::Mask mask_;  // of the whole model
+  weights::Mask mask_;                // of the whole model
   weights::Shares shares_;
   std::span<const Vec3> displacements_;  // displacements of the shape
   std::vector<double> sums_;

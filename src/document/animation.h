@@ -10,7 +10,6 @@
 #include "base/worker_pool.h"
 #include "document/document_state.h"
 #include "document/timeline.h"
-#include "shapes/pose_space.h"
 #include "shapes/shape_space.h"
 
 namespace viete::document {

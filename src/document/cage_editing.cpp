@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "cages/edit.h"
-#include "cages/enclose.h"
+#include "document/edit.h"
 #include "document/elements.h"
 #include "document/mirror.h"
 #include "document/pose_edit.h"

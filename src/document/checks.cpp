@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/text.h"
-#include "mesh/defects.h"
 #include "mesh/repair.h"
+#include "mesh/summary.h"
+#include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"
-#include "mesh/winding_number.h"
 
 namespace viete::document {
 

@@ -54,7 +54,7 @@ std::size_t Mirror::unpaired() const {
 std::optional<Mirror> mirror_of(const pose::Cage& cage, MirrorPlane choice) {
   const std::vector<cages::Plane> planes = candidates(cage, choice);
   if (planes.empty()) return std::nullopt;
-  const mesh::PointTree tree(cage.surface.positions, mesh::every_vertex(cage.surface));
+  const mesh::PointTree tree(cage.surface.positions, mesh::first_numbers(cage.surface.positions.size()));
   Mirror best = paired(cage, tree, planes.front());
   for (std::size_t i = 1; i < planes.size() && best.unpaired() > 0; ++i) {
     Mirror other = paired(cage, tree, planes[i]);

@@ -145,7 +145,7 @@ void rest_probes(Document& document) {
 int symmetry_axis(const Document& document) {
   constexpr std::size_t samples = 256;
   const auto& points = document.model().surface->positions;
-  const mesh::PointTree tree(points, mesh::every_vertex(*document.model().surface));
+  const mesh::PointTree tree(points, mesh::first_numbers(points.size()));
   const mesh::Point middle = document.model().bounds.center();
   std::array<double, 3> off{};
   for (std::size_t n = 0; n < samples; ++n) {

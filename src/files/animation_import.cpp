@@ -14,7 +14,7 @@
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "formats/source.h"
-#include "pose/pose_io.h"
+#include "pose/cage.h"
 
 namespace viete::files {
 

@@ -15,10 +15,10 @@
 #include "formats/format_table.h"
 #include "formats/point_cache.h"
 #include "mesh/repair.h"
+#include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"
 #include "mesh/vertex_order.h"
-#include "mesh/winding_number.h"
-#include "pose/pose_io.h"
+#include "pose/cage.h"
 
 namespace viete::files {
 

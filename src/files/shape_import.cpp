@@ -116,7 +116,7 @@ namespace {
 // For each vertex of the surface, returns its index in the file. If faces differ, compares positions.
 std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
                                           const PosedSurface& of) {
-  const std::vector<std::uint32_t> all = mesh::every_vertex(found);
+  const std::vector<std::uint32_t> all = mesh::first_numbers(found.positions.size());
   if (mesh::same_faces(found, of.surface)) return all;
   const mesh::PointTree tree(found.positions, all);
   std::vector<bool> taken(all.size());

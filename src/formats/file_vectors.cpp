@@ -81,7 +81,7 @@ private:
     if (vectors_.rows == FileVectors::Rows::faces) {
       for (std::size_t c = 0; c < of_corner.size(); ++c) of_corner[c] = vectors_.row_of_corner(c);
     } else {
-      of_vertex = every_vertex(rest_);
+      of_vertex = mesh::first_numbers(rest_.positions.size());
     }
     const auto deformed =
         vectors_.kind == FileVectors::Kind::normals ? mesh::deformed_normals : mesh::deformed_tangents;

@@ -12,7 +12,7 @@
 #include "formats/gltf_original.h"
 #include "formats/materials.h"
 #include "formats/surface_builder.h"
-#include "mesh/point_index.h"
+#include "mesh/point_tree.h"
 
 namespace viete::formats {
 

@@ -49,9 +49,9 @@ struct Mesh {
 };
 
 /// Reads or writes OBJ, PLY, OFF, STL or glTF. The file extension chooses the format. If the program
-/// viete-import is installed, also reads FBX, Collada and other formats, and compressed glTF. Writing is atomic. STL
-/// and glTF files do not keep the vertex order and the polygons. If `notes` is not null, it gets warnings,
-/// one line each, for example about content that the format does not support.
+/// viete-import is installed, also reads FBX, Collada and other formats, and compressed glTF. Writing is
+/// atomic. STL and glTF files do not keep the vertex order and the polygons. If `notes` is not null, it gets
+/// warnings, one line each, for example about content that the format does not support.
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh,
                 std::vector<std::string>* notes = nullptr);

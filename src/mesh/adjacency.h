@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "mesh/half_edges.h"
+#include "mesh/surface.h"
 
 namespace viete::mesh {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/median.h"
 #include "base/worker_pool.h"
-#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 
@@ -39,8 +39,8 @@ float hollowness(const Adjacency& around, std::span<const Vec3f> points, std::si
 }  // namespace
 
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
-                               std::span<const Triangle> triangles, Adjacency around, bool inside_out,
-                               int levels) {
+                               std::span<const Triangle> triangles, Adjacency around, bool inside_out) {
+  constexpr int levels = 4;  // each level finds creases of twice the width
   base::WorkerPool pool(positions.size() > base::large_block ? 0 : 1);
   const auto for_vertices = [&](const auto& use) {
     pool.for_blocks(positions.size(), base::large_block, [&](std::size_t begin, std::size_t end) {
@@ -166,9 +166,8 @@ double point_spacing(std::span<const Point> points) {
   std::vector<double> distances;
   for (const std::uint32_t i : some)
     distances.push_back(norm(points[i + step / 2] - points[tree.nearest(points[i + step / 2])]));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());  // the median ignores lonely points
-  return 2 * *middle * std::sqrt(static_cast<double>(some.size()) / static_cast<double>(points.size()));
+  const double middle = base::median(std::move(distances));  // ignores lonely points
+  return 2 * middle * std::sqrt(static_cast<double>(some.size()) / static_cast<double>(points.size()));
 }
 
 }  // namespace viete::mesh

@@ -11,12 +11,12 @@
 namespace viete::mesh {
 
 /// Returns one value per vertex, from 0 (deep crease) to 1 (flat area or ridge). A vertex is in a crease if
-/// its neighbours are above its tangent plane. With more `levels`, wider creases are found. `normals` has one
+/// its neighbours are above its tangent plane. Finds creases of four widths. `normals` has one
 /// unit vector per position; `inside_out` reverses them. `around` is from vertex_triangles(). An unused
 /// vertex gets 1. Linear time.
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
-                               std::span<const Triangle> triangles, Adjacency around, bool inside_out = false,
-                               int levels = 4);
+                               std::span<const Triangle> triangles, Adjacency around,
+                               bool inside_out = false);
 
 /// A coarse model: some vertices of a surface, and triangles between them.
 struct Draft {

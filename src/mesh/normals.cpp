@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle_tree.h"
 
@@ -90,7 +88,7 @@ public:
       triangles_.emplace(rest.positions, usable_);
       return;
     }
-    points_.emplace(rest_, every_vertex(rest));
+    points_.emplace(rest_, first_numbers(rest_.size()));
     diagonal_ = bounds(rest_).diagonal();
   }
 
@@ -230,12 +228,6 @@ std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> every_vertex(const Surface& surface) {
-  std::vector<std::uint32_t> all(surface.positions.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
-}
 
 Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
   const auto add_corners = [&](std::uint32_t t, const auto& add) {

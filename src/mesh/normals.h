@@ -36,9 +36,6 @@ std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> p
                                    std::span<const std::uint32_t> corner_normal,
                                    std::span<const std::uint32_t> vertex_of_normal = {});
 
-/// Returns 0, 1, 2, ... for all vertices: the vertex_of_normal of a file with one normal per vertex.
-std::vector<std::uint32_t> every_vertex(const Surface& surface);
-
 /// Works like deformed_normals(), but for tangents, which move with the surface.
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
                                     std::span<const Vec3> tangents,

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "mesh/half_edges.h"
-#include "mesh/point_index.h"
+#include "mesh/point_tree.h"
 #include "mesh/summary.h"
-#include "mesh/winding_number.h"
+#include "mesh/triangle_tree.h"
 
 namespace viete::mesh {
 
@@ -23,13 +23,10 @@ struct Neighbour {
 std::vector<std::vector<Neighbour>> neighbours(const Surface& surface) {
   std::vector<std::vector<Neighbour>> all(surface.triangles.size());
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    if (sides.size() != 2) continue;
-    const bool agrees = sides[0].forward != sides[1].forward;
-    all[sides[0].triangle].push_back({sides[1].triangle, agrees});
-    all[sides[1].triangle].push_back({sides[0].triangle, agrees});
-  }
+  for_inner_edges(table, [&](std::size_t, const HalfEdge& s, const HalfEdge& t) {
+    all[s.triangle].push_back({t.triangle, s.forward != t.forward});
+    all[t.triangle].push_back({s.triangle, s.forward != t.forward});
+  });
   return all;
 }
 

@@ -9,6 +9,12 @@
 
 namespace viete::mesh {
 
+std::vector<std::uint32_t> first_numbers(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  return numbers;
+}
+
 std::span<const Triangle> clipped_of(const Surface& surface, std::size_t polygon) {
   const auto first = [](const Triangle& t) { return t[0]; };
   const auto begin = std::ranges::lower_bound(surface.clipped, surface.polygon_starts[polygon], {}, first);
@@ -30,8 +36,7 @@ Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>
     surface.corners.insert(surface.corners.end(), t.begin(), t.end());
     surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
   }
-  surface.triangle_polygon.resize(triangles.size());
-  std::iota(surface.triangle_polygon.begin(), surface.triangle_polygon.end(), 0u);
+  surface.triangle_polygon = first_numbers(triangles.size());
   return surface;
 }
 
@@ -90,10 +95,8 @@ double used_size(const Surface& surface) {
   if (!(unit > 0)) return 0;
   std::vector<bool> is_used(surface.positions.size(), surface.corners.empty());
   for (const auto v : surface.corners) is_used[v] = true;
-  std::vector<std::uint32_t> used;
-  for (std::uint32_t v = 0; v < is_used.size(); ++v) {
-    if (is_used[v]) used.push_back(v);
-  }
+  std::vector<std::uint32_t> used = first_numbers(is_used.size());
+  std::erase_if(used, [&](std::uint32_t v) { return !is_used[v]; });
   const Point center = area_center(surface, mean_of(surface.positions, used, box.center()), unit);
   double farthest = 0;
   for (const auto v : used) farthest = std::max(farthest, norm(surface.positions[v] - center));

@@ -16,6 +16,7 @@ namespace viete::mesh {
 
 using Point = Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
+using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices; the lower index is first
 
 /// The largest absolute value of a coordinate. Larger values are rejected, so that volumes stay finite.
 inline constexpr double largest_coordinate = 1e100;
@@ -100,6 +101,9 @@ std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
   for (const auto v : vertices) some.push_back(values[v]);
   return some;
 }
+
+/// Returns 0, 1, 2, ..., count - 1.
+std::vector<std::uint32_t> first_numbers(std::size_t count);
 
 Bounds bounds(std::span<const Point> positions);
 /// Returns the box of the listed positions.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -69,21 +68,6 @@ AffineMap map_of(const MapLog& log) {
 
 }  // namespace
 
-void check_pose(const Cage& cage, std::size_t vertices, const std::string& place) {
-  const std::size_t expected = cage.surface.positions.size();
-  if (vertices == expected) return;
-  throw base::Error(
-      place,
-      "the pose has " + std::to_string(vertices) + " vertices, the cage has " + std::to_string(expected),
-      "choose a pose of this cage");
-}
-
-std::vector<std::uint32_t> first_numbers(std::size_t count) {
-  std::vector<std::uint32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0u);
-  return numbers;
-}
-
 RowForm row_form(Elements elements, Blend blend) {
   switch (blend) {
     case Blend::mls_affine: return RowForm::affine_moments;
@@ -113,7 +97,7 @@ std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements)
 CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form)
     : cage_(std::move(cage)), form_(form), moment_length_(moment_length(*cage_)) {
   const std::size_t handles = handle_count(*cage_, elements);
-  all_ = first_numbers(handles);
+  all_ = mesh::first_numbers(handles);
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
   values_.resize(handles * shape(form_).columns);
   if (form_ == RowForm::positions) return;

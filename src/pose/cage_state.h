@@ -12,16 +12,10 @@
 #include "pose/cage.h"
 #include "pose/deformer.h"
 #include "pose/maps.h"
-#include "pose/patch_maps.h"
 #include "pose/rows.h"
 #include "pose/stages.h"
 
 namespace viete::pose {
-
-/// Throws base::Error if `vertices` is not the cage's vertex count. `place` names the source of the pose.
-void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
-
-std::vector<std::uint32_t> first_numbers(std::size_t count);
 
 RowForm row_form(Elements elements, Blend blend);
 const RowShape& shape(RowForm form);

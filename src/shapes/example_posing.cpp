@@ -465,7 +465,7 @@ void ExamplePosing::follow_clusters(std::span<const LogTerm> sum) {
 // Moves all vertices of the model with the clusters.
 void ExamplePosing::move_model() {
   if (posed_.empty()) return;
-  space_.follow(terms(), posed_, pool_, model_positions_, pose::first_numbers(model_positions_.size()));
+  space_.follow(terms(), posed_, pool_, model_positions_, mesh::first_numbers(model_positions_.size()));
   space_.coarse()->move(moves_, nullptr, model_positions_, pool_);
 }
 

@@ -1,7 +1,9 @@
-// Shapes of a model as logs of its triangles' maps, so that in-between shapes rotate and do not collapse.
+// Shapes of a model and poses of a cage as logs of triangles' maps, so that in-between shapes rotate and do
+// not collapse.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -110,6 +112,34 @@ private:
   std::optional<weights::CoarseModel> coarse_;  // the other members are of this model
   mesh::CenterSplit split_;
   Triangles triangles_;
+  LogSpace logs_;
+};
+
+/// Converts poses of one cage to vectors and back, including the whole turns of each part. Uses the cage's
+/// elements, even if a binding uses vertices. Logs cannot represent whole turns about another axis than the
+/// axis of the part's rotation, see choose_branches(). LogVector::wholes stores such turns. Thread-safe.
+class PoseSpace {
+public:
+  /// Throws base::Error as LogSpace does.
+  explicit PoseSpace(std::shared_ptr<const pose::Cage> cage);
+
+  const pose::Cage& cage() const { return *cage_; }
+  /// The log space, for sums of vectors and the anchors of a moving pose.
+  const LogSpace& logs() const { return logs_; }
+  /// Converts a pose to a vector. If the pose has no turns, chooses the turns nearest to `turns_before`, the
+  /// turns of the preceding pose (0 if missing). Throws base::Error if the number of positions is wrong.
+  LogVector vector(const pose::Pose& pose, std::span<const Vec3> turns_before = {}) const;
+  /// Returns the pose of the sum of `terms`.
+  pose::Pose pose(std::span<const LogTerm> terms, const AnchorWeights& anchors) const;
+  /// Returns the linear sum of the poses' positions: every vertex moves on a straight line.
+  pose::Pose linear(std::span<const LogTerm> terms) const;
+
+private:
+  std::vector<Vec3> take_wholes(std::span<const pose::AffineMap> maps, std::span<const pose::MapSplit> splits,
+                                const pose::LogReport& report, std::vector<pose::MapLog>& logs) const;
+  std::vector<Vec3> turns(std::span<const LogTerm> terms) const;
+
+  std::shared_ptr<const pose::Cage> cage_;
   LogSpace logs_;
 };
 

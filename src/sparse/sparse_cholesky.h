@@ -13,7 +13,6 @@
 #include "mesh/vector.h"
 #include "sparse/sparse_kernel.h"
 #include "sparse/sparse_matrix.h"
-#include "sparse/symbolic_factor.h"
 #include "sym3/kernel.h"
 
 namespace viete::sparse {

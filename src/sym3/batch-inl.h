@@ -412,6 +412,24 @@ static HWY_INLINE void map_one(const F& f, const T* in, T* out) {
   store_row(d, to[0], out);
 }
 
+/// A function type whose lanes are not all valid: F::lanes(d, from, to) returns the valid lanes, and
+/// F::by_jacobi(from, to) computes each other lane.
+template <class F>
+struct WithFallback {
+  static constexpr int in = F::in, out = F::out, group = 1;
+  static constexpr bool memory_bound = false;
+
+  template <int G, class D, class V>
+  HWY_INLINE bool quick(D d, const V (&from)[G][in], V (&to)[G][out]) const {
+    return hn::AllTrue(d, F::lanes(d, from[0], to[0]));
+  }
+  template <class D, class V>
+  HWY_INLINE void general(D d, const V (&from)[in], V (&to)[out]) const {
+    const auto ok = F::lanes(d, from, to);
+    replace_lanes(d, hn::Not(ok), from, to, F::by_jacobi);
+  }
+};
+
 /// The functions of F for the kernel table. `More` are the types of F's parameters.
 template <class F, class T, class... More>
 struct Mapped {

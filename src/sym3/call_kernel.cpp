@@ -137,16 +137,12 @@ Polar<T> polar(const Mat3<T>& m) {
   template Eigensystem<T> eigh(const Sym3<T>&);                                                            \
   void eigh(const SymView<const T>& in, const VecView<T>& values, const MatView<T>& vectors,               \
             std::size_t count, const Batch& batch) {                                                       \
-    const auto many = functions<T>(kernel_of(batch)).eigh->many;                                           \
-    const auto call = [&](const Range& range) { many(in, values, vectors, range); };                       \
-    run_batch(task_of(call), count, 18 * sizeof(T) * count, false, batch);                                 \
+    call_many(&KernelFunctions<T>::eigh, in, values, count, batch, vectors);                               \
   }                                                                                                        \
   template SingularSystem<T> svd(const Mat3<T>&);                                                          \
   void svd(const MatView<const T>& in, const MatView<T>& u, const VecView<T>& values, const MatView<T>& v, \
            std::size_t count, const Batch& batch) {                                                        \
-    const auto many = functions<T>(kernel_of(batch)).svd->many;                                            \
-    const auto call = [&](const Range& range) { many(in, u, values, v, range); };                          \
-    run_batch(task_of(call), count, 30 * sizeof(T) * count, false, batch);                                 \
+    call_many(&KernelFunctions<T>::svd, in, u, count, batch, values, v);                                   \
   }                                                                                                        \
   template Polar<T> polar(const Mat3<T>&);                                                                 \
   void polar(const MatView<const T>& in, const MatView<T>& rotations, std::size_t count,                   \

@@ -1,4 +1,5 @@
-// Eigenvectors and singular value decompositions of batches, compiled once for each instruction set.
+// Eigenvectors, singular value decompositions and polar decompositions of batches, compiled once for each
+// instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/decomposition_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -30,20 +31,9 @@ static HWY_INLINE Nine<V> from_columns(const Three<V>& a, const Three<V>& b, con
 }
 
 struct Eigh {
-  static constexpr int in = 6, out = 12, group = 1;
-  static constexpr bool memory_bound = false;
+  static constexpr int in = 6, out = 12;
+  static constexpr auto by_jacobi = [](const auto* in, auto* out) { eigh_by_jacobi(in, out); };
 
-  template <int G, class D, class V>
-  HWY_INLINE bool quick(D d, const V (&s)[G][in], V (&system)[G][out]) const {
-    return hn::AllTrue(d, lanes(d, s[0], system[0]));
-  }
-  template <class D, class V>
-  HWY_INLINE void general(D d, const V (&s)[in], V (&system)[out]) const {
-    const auto ok = lanes(d, s, system);
-    replace_lanes(d, hn::Not(ok), s, system, [](const auto* in, auto* out) { eigh_by_jacobi(in, out); });
-  }
-
-private:
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[12]) {
     const Six<V> s = six(in);
@@ -126,20 +116,9 @@ static HWY_INLINE void order_columns(D, int p, int q, Columns<V>& m, V (&squares
 }
 
 struct SingularValues {
-  static constexpr int in = 9, out = 21, group = 1;
-  static constexpr bool memory_bound = false;
+  static constexpr int in = 9, out = 21;
+  static constexpr auto by_jacobi = [](const auto* in, auto* out) { svd_by_jacobi(in, out); };
 
-  template <int G, class D, class V>
-  HWY_INLINE bool quick(D d, const V (&m)[G][in], V (&system)[G][out]) const {
-    return hn::AllTrue(d, lanes(d, m[0], system[0]));
-  }
-  template <class D, class V>
-  HWY_INLINE void general(D d, const V (&m)[in], V (&system)[out]) const {
-    const auto ok = lanes(d, m, system);
-    replace_lanes(d, hn::Not(ok), m, system, [](const auto* in, auto* out) { svd_by_jacobi(in, out); });
-  }
-
-private:
   static constexpr int most_rounds = 12;  // usually one or two are enough
 
   /// Returns W = M V for the eigenvectors V of M^T M. Only rounding errors make the columns of W oblique.
@@ -222,6 +201,80 @@ private:
   }
 };
 
+struct RotationOf {
+  static constexpr int in = 9, out = 9, group = 2;
+  static constexpr bool memory_bound = false;
+
+  template <int G, class D, class V>
+  HWY_INLINE bool quick(D d, const V (&m)[G][in], V (&r)[G][out]) const {
+    Nine<V> from[G];
+    Rotations<D> answer[G];
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) from[g] = nine(m[g]);
+    polar_quick<G>(d, from, answer);
+    bool done = true;
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) {
+      put_nine(answer[g].r, r[g]);
+      done = done && hn::AllTrue(d, answer[g].ok);
+    }
+    return done;
+  }
+  template <class D, class V>
+  HWY_INLINE void general(D d, const V (&m)[in], V (&r)[out]) const {
+    const Nine<V> from[1] = {nine(m)};
+    Rotations<D> answer[1];
+    polar_quick<1>(d, from, answer);
+    put_nine(answer[0].r, r);
+    replace_lanes(d, hn::Not(answer[0].ok), m, r,
+                  [](const auto* in, auto* out) { polar_by_jacobi(in, out); });
+  }
+};
+
+struct RotationAndStretch {
+  static constexpr int in = 9, out = 15, group = 2;
+  static constexpr bool memory_bound = false;
+
+  template <int G, class D, class V>
+  HWY_INLINE bool quick(D d, const V (&m)[G][in], V (&both)[G][out]) const {
+    V r[G][9];
+    const bool done = RotationOf().quick<G>(d, m, r);
+#pragma GCC unroll 4
+    for (int g = 0; g < G; ++g) put_both(d, r[g], m[g], both[g]);
+    return done;
+  }
+  template <class D, class V>
+  HWY_INLINE void general(D d, const V (&m)[in], V (&both)[out]) const {
+    V r[9];
+    RotationOf().general(d, m, r);
+    put_in_range(d, r, m, both);
+  }
+
+private:
+  /// Like put_both(), but scales large matrices down, because sums of three entries could overflow.
+  template <class D, class V>
+  static HWY_INLINE void put_in_range(D d, const V (&r)[9], const V (&m)[9], V (&both)[out]) {
+    using T = hn::TFromD<D>;
+    const V one = hn::Set(d, T(1));
+    V size = hn::Zero(d), scaled[9];
+    for (const V& x : m) size = hn::Max(size, hn::Abs(x));
+    const auto large = hn::Gt(size, hn::Set(d, T(sizeof(T) == 8 ? 1e307 : 1e37)));
+    const V down = hn::IfThenElse(large, hn::Set(d, T(0.0625)), one),
+            up = hn::IfThenElse(large, hn::Set(d, T(16)), one);
+    for (int k = 0; k < in; ++k) scaled[k] = hn::Mul(m[k], down);
+    put_both(d, r, scaled, both);
+    for (int k = 9; k < out; ++k) both[k] = hn::Mul(both[k], up);
+  }
+
+  template <class D, class V>
+  static HWY_INLINE void put_both(D d, const V (&r)[9], const V (&m)[9], V (&both)[out]) {
+    V u[6];
+    put_six(stretch(d, nine(r), nine(m)), u);
+#pragma GCC unroll 16
+    for (int k = 0; k < out; ++k) both[k] = k < 9 ? r[k] : u[k - 9];
+  }
+};
+
 /// If all views have the layout `planes`, returns one view of all entries of their items.
 template <class T, int N, class... More>
 static HWY_INLINE View<T, N> joined(const More&... views) {
@@ -252,33 +305,27 @@ static HWY_INLINE void map_to_views(const F& f, const View<const T, F::in>& in, 
             });
 }
 
-template <class T>
-static void eigh_one(const T* in, T* out) {
-  map_one(Eigh{}, in, out);
-}
-template <class T>
-static void eigh_many(const View<const T, 6>& in, const View<T, 3>& values, const View<T, 9>& vectors,
-                      const Range& range) {
-  map_to_views(Eigh{}, in, range, values, vectors);
-}
-template <class T>
-static void svd_one(const T* in, T* out) {
-  map_one(SingularValues{}, in, out);
-}
-template <class T>
-static void svd_many(const View<const T, 9>& in, const View<T, 9>& u, const View<T, 3>& values,
-                     const View<T, 9>& v, const Range& range) {
-  map_to_views(SingularValues{}, in, range, u, values, v);
-}
+/// The functions of F for the kernel table. M are the numbers of entries of the views' items.
+template <class F, class T, int... M>
+struct MappedToViews {
+  static void one(const T* in, T* out) { map_one(F{}, in, out); }
+  static void many(const View<const T, F::in>& in, const View<T, M>&... out, const Range& range) {
+    map_to_views(F{}, in, range, out...);
+  }
+};
 
-extern const EighFunction<double> eigh_double;
-extern const EighFunction<float> eigh_float;
-extern const SvdFunction<double> svd_double;
-extern const SvdFunction<float> svd_float;
-const EighFunction<double> eigh_double = {eigh_one<double>, eigh_many<double>};
-const EighFunction<float> eigh_float = {eigh_one<float>, eigh_many<float>};
-const SvdFunction<double> svd_double = {svd_one<double>, svd_many<double>};
-const SvdFunction<float> svd_float = {svd_one<float>, svd_many<float>};
+#define VIETE_DEFINE_DECOMPOSITION_OF(T, name, F, ...)                                            \
+  extern const Decomposition<T, F::in, __VA_ARGS__> name##_##T;                                   \
+  const Decomposition<T, F::in, __VA_ARGS__> name##_##T = {MappedToViews<F, T, __VA_ARGS__>::one, \
+                                                           MappedToViews<F, T, __VA_ARGS__>::many};
+#define VIETE_DEFINE_DECOMPOSITION(name, F, ...)              \
+  VIETE_DEFINE_DECOMPOSITION_OF(double, name, F, __VA_ARGS__) \
+  VIETE_DEFINE_DECOMPOSITION_OF(float, name, F, __VA_ARGS__)
+
+VIETE_DEFINE_FUNCTION(rotation_of, RotationOf)
+VIETE_DEFINE_DECOMPOSITION(polar, RotationAndStretch, 9, 6)
+VIETE_DEFINE_DECOMPOSITION(eigh, WithFallback<Eigh>, 3, 9)
+VIETE_DEFINE_DECOMPOSITION(svd, WithFallback<SingularValues>, 9, 3, 9)
 
 }  // namespace viete::sym3::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

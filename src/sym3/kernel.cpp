@@ -24,12 +24,12 @@ VIETE_FUNCTION(log_rotation, 9, 3)
 VIETE_FUNCTION(rotation_of, 9, 9)
 VIETE_FUNCTION(tangent, 6, 36, Of, double)
 #undef VIETE_FUNCTION
-extern const PolarFunction<double> polar_double;
-extern const PolarFunction<float> polar_float;
-extern const EighFunction<double> eigh_double;
-extern const EighFunction<float> eigh_float;
-extern const SvdFunction<double> svd_double;
-extern const SvdFunction<float> svd_float;
+extern const Decomposition<double, 9, 9, 6> polar_double;
+extern const Decomposition<float, 9, 9, 6> polar_float;
+extern const Decomposition<double, 6, 3, 9> eigh_double;
+extern const Decomposition<float, 6, 3, 9> eigh_float;
+extern const Decomposition<double, 9, 9, 3, 9> svd_double;
+extern const Decomposition<float, 9, 9, 3, 9> svd_float;
 extern const DerivativeFunction<double> derivative_double;
 extern const DerivativeFunction<float> derivative_float;
 

@@ -24,29 +24,11 @@ struct Function {
   void (*many)(const View<const T, N>& in, const View<T, M>& out, More... more, const Range& range);
 };
 
-/// The polar decomposition. `one` writes nine numbers of the rotation, then six numbers of the stretch.
-template <class T>
-struct PolarFunction {
+/// A decomposition of N numbers, with M numbers in each part. `one` writes the parts one after the other.
+template <class T, int N, int... M>
+struct Decomposition {
   void (*one)(const T* in, T* out);
-  void (*many)(const View<const T, 9>& in, const View<T, 9>& rotations, const View<T, 6>& stretches,
-               const Range& range);
-};
-
-/// Eigenvectors. `one` writes three eigenvalues, then nine numbers of the eigenvectors.
-template <class T>
-struct EighFunction {
-  void (*one)(const T* in, T* out);
-  void (*many)(const View<const T, 6>& in, const View<T, 3>& values, const View<T, 9>& vectors,
-               const Range& range);
-};
-
-/// Singular value decompositions. `one` writes nine numbers of U, three singular values, then nine numbers of
-/// V.
-template <class T>
-struct SvdFunction {
-  void (*one)(const T* in, T* out);
-  void (*many)(const View<const T, 9>& in, const View<T, 9>& u, const View<T, 3>& values, const View<T, 9>& v,
-               const Range& range);
+  void (*many)(const View<const T, N>& in, const View<T, M>&... parts, const Range& range);
 };
 
 /// A derivative at S in one direction or in n directions. p is the exponent of pow.
@@ -65,9 +47,9 @@ struct KernelFunctions {
   const Function<T, 3, 9>* exp_rotation;
   const Function<T, 9, 3>* log_rotation;
   const Function<T, 9, 9>* rotation_of;
-  const PolarFunction<T>* polar;
-  const EighFunction<T>* eigh;
-  const SvdFunction<T>* svd;
+  const Decomposition<T, 9, 9, 6>* polar;   ///< rotation and stretch
+  const Decomposition<T, 6, 3, 9>* eigh;    ///< eigenvalues and eigenvectors
+  const Decomposition<T, 9, 9, 3, 9>* svd;  ///< U, singular values and V
   const DerivativeFunction<T>* derivative;
   const Function<T, 6, 36, Of, double>* tangent;
 };

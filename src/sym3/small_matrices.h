@@ -143,6 +143,16 @@ inline double determinant(const Mat3<double>& m) {
          m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
+/// Returns the rotation of a quaternion w, x, y, z of any length. The result is NaN if the length is 0.
+template <class T>
+Mat3<double> rotation_of(const std::array<T, 4>& quaternion) {
+  const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
+  const double s = 2 / (w * w + x * x + y * y + z * z);
+  return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
+          s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),
+          s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
+}
+
 /// Solves A X = B for X by elimination with pivoting. B and X are stored by rows. If A is singular, X is not
 /// finite.
 template <std::size_t N>

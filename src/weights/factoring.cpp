@@ -9,13 +9,9 @@ namespace viete::weights {
 
 namespace {
 
-float* row(const LeafRows& leaf, std::size_t slot) {
-  return leaf.rows + slot / lanes * lanes * leaf.columns + slot % lanes;
-}
-
 void copy_row(const LeafRows& leaf, std::size_t slot, double scale, std::vector<float>& out) {
-  const float* from = row(leaf, slot);
-  for (std::size_t j = 0; j < leaf.columns; ++j) out[j] = static_cast<float>(scale * from[j * lanes]);
+  const TileLines<float> rows{leaf.rows, leaf.columns};
+  for (std::size_t j = 0; j < leaf.columns; ++j) out[j] = static_cast<float>(scale * rows.at(slot, j));
 }
 
 }  // namespace
@@ -48,10 +44,9 @@ Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance
   const std::size_t rank = pivots.size(), slots = leaf.tiles * lanes;
   Factors result{pivots, {}};
   result.factors.resize(slots * rank);
+  const TileLines<float> factors{result.factors.data(), rank};
   for (std::size_t t = 0; t < rank; ++t)
-    for (std::size_t s = 0; s < slots; ++s) {
-      result.factors[s / lanes * lanes * rank + t * lanes + s % lanes] = coefficients[t][s];
-    }
+    for (std::size_t s = 0; s < slots; ++s) factors.at(s, t) = coefficients[t][s];
   std::vector<float> lower(rank * rank);
   for (std::size_t s = 0; s < rank; ++s) {
     for (std::size_t t = 0; t < rank; ++t) lower[s * rank + t] = coefficients[t][pivots[s]];

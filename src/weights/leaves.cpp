@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 #include "mesh/normals.h"
@@ -47,8 +46,7 @@ std::vector<std::uint32_t> slots_of(const Leaves& leaves) {
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around) {
   Leaves leaves;
   leaves.vertices = positions.size();
-  leaves.order.resize(positions.size());
-  std::iota(leaves.order.begin(), leaves.order.end(), 0u);
+  leaves.order = mesh::first_numbers(positions.size());
   sort_run(positions, leaves.order);
   for (std::size_t s = 0; s < positions.size(); s += leaf_slots) {
     const auto leaf = Run(leaves.order).subspan(s, std::min(leaf_slots, positions.size() - s));

@@ -19,6 +19,23 @@ template <class T>
 inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
 inline constexpr std::size_t lanes = tile_lanes<float>;
 
+/// Access by slot to an array [tile][line][lane].
+template <class T>
+struct TileLines {
+  T* data;
+  std::size_t lines;
+
+  T& at(std::size_t slot, std::size_t line) const {
+    return data[(slot / lanes * lines + line) * lanes + slot % lanes];
+  }
+  mesh::Vec3 three(std::size_t slot, std::size_t first) const {
+    return {at(slot, first), at(slot, first + 1), at(slot, first + 2)};
+  }
+  void set(std::size_t slot, std::size_t first, const mesh::Vec3& v) const {
+    for (std::size_t i = 0; i < 3; ++i) at(slot, first + i) = static_cast<float>(v[i]);
+  }
+};
+
 /// Slot s contains vertex order[s] of the file. Leaf l has the slots [512 * l, 512 * (l + 1)). Only the last
 /// leaf may be smaller; its last vertex is repeated up to a multiple of 32 slots. In each leaf, vertices are
 /// sorted by their number of triangles, so that neighbouring slots have rings of equal length.

@@ -89,7 +89,7 @@ Cells cells_of(const mesh::Surface& model, std::span<const std::uint32_t> vertic
 std::vector<mesh::Triangle> joints(std::span<const mesh::Point> p, std::uint32_t first, double cell) {
   std::vector<mesh::Triangle> joints;
   if (first == p.size() || p.size() < 3) return joints;
-  const mesh::PointTree tree(p, pose::first_numbers(p.size()));
+  const mesh::PointTree tree(p, mesh::first_numbers(p.size()));
   std::vector<std::pair<double, std::uint32_t>> near;
   for (std::uint32_t c = first; c < p.size(); ++c) {
     for (double radius = 1.5 * cell; near.size() < 3 && std::isfinite(radius); radius *= 2) {

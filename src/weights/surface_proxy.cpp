@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 #include "mesh/triangulation.h"
@@ -389,7 +388,7 @@ void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
 // Assigns vertices without a triangle to the nearest cluster.
 void SurfaceProxy::adopt_loose_vertices() {
   if (std::ranges::find(of_vertex_, none) == of_vertex_.end()) return;
-  const mesh::PointTree tree(surface_.positions, pose::first_numbers(surface_.positions.size()));
+  const mesh::PointTree tree(surface_.positions, mesh::first_numbers(surface_.positions.size()));
   for (std::size_t v = 0; v < of_vertex_.size(); ++v)
     if (of_vertex_[v] == none) of_vertex_[v] = tree.nearest(model_.positions[v]);
 }

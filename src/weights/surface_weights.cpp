@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
@@ -47,7 +46,7 @@ std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
 std::vector<std::uint32_t> sources(const mesh::Surface& model, const sparse::SparseMatrix& stiffness,
                                    const HeldParts& held) {
   const auto n = static_cast<std::uint32_t>(stiffness.size());
-  std::vector<std::uint32_t> source = pose::first_numbers(n), some;
+  std::vector<std::uint32_t> source = mesh::first_numbers(n), some;
   std::copy_if(source.begin(), source.end(), std::back_inserter(some),
                [&](std::uint32_t v) { return held.holds(v); });
   if (some.size() == n) return source;

@@ -28,12 +28,6 @@ std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   return counts;
 }
 
-// Sets a slot of an array [tile][3][lane].
-void set_slot(base::AlignedVector<float>& array, std::size_t slot, const Vec3& vector, double unit) {
-  float* out = array.data() + slot / lanes * lanes * 3 + slot % lanes;
-  for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(vector[i] / unit);
-}
-
 // Sets negative weights [handle][lane] to 0, and scales the weights of each lane to sum 1.
 void normalise_lanes(std::span<double> weights) {
   std::array<double, bind_lanes> sums{};
@@ -215,7 +209,8 @@ private:
   }
 
   void set_offset(std::size_t slot, const Vec3& sum) {
-    set_slot(b_.offsets, slot, (model_.positions[b_.leaves.order[slot]] - weigher_.origin()) - sum, b_.unit);
+    const Vec3 offset = (model_.positions[b_.leaves.order[slot]] - weigher_.origin()) - sum;
+    TileLines<float>{b_.offsets.data(), 3}.set(slot, 0, (1 / b_.unit) * offset);
   }
 
   void keep_shares(std::size_t leaf, const LeafWeights& w) {
@@ -251,9 +246,9 @@ private:
     const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
     result.factors = factor_rows({w.left.data(), slots(leaf) / lanes, b_.handles}, vertices(leaf), tolerance,
                                  most, kernel);
+    const TileLines<const float> rows{w.rows.data(), b_.handles};
     for (const auto p : result.factors.pivots) {
-      const float* row = w.rows.data() + p / lanes * lanes * b_.handles + p % lanes;
-      for (std::size_t j = 0; j < b_.handles; ++j) result.pivot_rows.push_back(row[j * lanes]);
+      for (std::size_t j = 0; j < b_.handles; ++j) result.pivot_rows.push_back(rows.at(p, j));
       result.pivot_sums.push_back(w.sums[p]);
     }
     return result;
@@ -292,10 +287,10 @@ private:
     const LeafClusters near = clusters_of(leaf, w);
     const std::size_t count = near.clusters.size(), tiles = (count + lanes - 1) / lanes;
     w.left.assign(tiles * lanes * b_.handles, 0.0f);
+    const TileLines<float> rows{w.left.data(), b_.handles};
     for (std::size_t c = 0; c < count; ++c) {
       const auto weights = proxy_->of_cluster(near.clusters[c]);
-      float* row = w.left.data() + c / lanes * lanes * b_.handles + c % lanes;
-      for (std::size_t j = 0; j < b_.handles; ++j) row[j * lanes] = weights[j];
+      for (std::size_t j = 0; j < b_.handles; ++j) rows.at(c, j) = weights[j];
     }
     const Basis basis = find_basis({w.left.data(), tiles, b_.handles}, count,
                                    share * tolerance / near.largest_sum, count, kernel);
@@ -334,7 +329,7 @@ private:
         const auto factor = static_cast<float>(near.terms[i].factor);
         for (std::size_t t = 0; t < rank; ++t) sums[t] += factor * row[t];
       }
-      for (std::size_t t = 0; t < rank; ++t) out[s / lanes * lanes * rank + t * lanes + s % lanes] = sums[t];
+      for (std::size_t t = 0; t < rank; ++t) TileLines<float>{out.data(), rank}.at(s, t) = sums[t];
     }
   }
 
@@ -422,10 +417,10 @@ private:
   // Sets the offsets for factored weights, so that a cage at rest reproduces the model at rest.
   void set_factored_offsets(std::size_t leaf, const LeafResult& r, const LeafWeights& w) {
     const std::size_t begin = b_.leaves.begin(leaf), rank = r.factors.pivots.size();
+    const TileLines<const float> factors{r.factors.factors.data(), rank};
     for (std::size_t s = 0; s < slots(leaf); ++s) {
       Vec3 sum = rank > 0 ? Vec3{0, 0, 0} : w.sums[s];
-      const float* factor = r.factors.factors.data() + s / lanes * lanes * rank + s % lanes;
-      for (std::size_t t = 0; t < rank; ++t) sum = sum + factor[t * lanes] * r.pivot_sums[t];
+      for (std::size_t t = 0; t < rank; ++t) sum = sum + factors.at(s, t) * r.pivot_sums[t];
       set_offset(begin + s, sum);
     }
   }
@@ -453,11 +448,11 @@ private:
       count += results[leaf].factors.pivots.size();
     }
     b_.skeleton.assign((count + slot_block - 1) / slot_block * slot_block * b_.handles, 0.0f);
+    const TileLines<float> skeleton{b_.skeleton.data(), b_.handles};
     std::size_t slot = 0;
     for (LeafResult& r : results) {
       for (std::size_t t = 0; t < r.factors.pivots.size(); ++t, ++slot) {
-        float* row = b_.skeleton.data() + slot / lanes * lanes * b_.handles + slot % lanes;
-        for (std::size_t j = 0; j < b_.handles; ++j) row[j * lanes] = r.pivot_rows[t * b_.handles + j];
+        for (std::size_t j = 0; j < b_.handles; ++j) skeleton.at(slot, j) = r.pivot_rows[t * b_.handles + j];
       }
       r.pivot_rows = {};
     }
@@ -482,24 +477,21 @@ bool compressible(std::size_t vertices, std::size_t handles) {
 
 void TiledBinding::kept_row(std::size_t slot, std::span<double> row) const {
   const std::size_t leaf = slot / leaf_slots, in_leaf = slot - leaves.begin(leaf);
-  // Reads a number of an array [tile][place][lane]; s is a slot of the leaf.
-  const auto at = [](const float* values, std::size_t places, std::size_t s, std::size_t place) -> double {
-    return values[(s / lanes * places + place) * lanes + s % lanes];
-  };
+  using Lines = TileLines<const float>;
   std::fill(row.begin(), row.end(), 0.0);
   if (has_lists()) {
     const auto listed_here = list(leaf);
     for (std::size_t r = 0; r < listed_here.size(); ++r)
-      row[listed_here[r]] = at(weights.data() + first_weight(leaf), listed_here.size(), in_leaf, r);
+      row[listed_here[r]] = Lines{weights.data() + first_weight(leaf), listed_here.size()}.at(in_leaf, r);
   } else if (!compressed() || factored[leaf].dense) {
     const float* values = compressed() ? factors_of(leaf) : weights.data() + first_weight(leaf);
-    for (std::size_t j = 0; j < handles; ++j) row[j] = at(values, handles, in_leaf, j);
+    for (std::size_t j = 0; j < handles; ++j) row[j] = Lines{values, handles}.at(in_leaf, j);
   } else {
     const LeafFactors& f = factored[leaf];
     for (std::size_t t = 0; t < f.rank; ++t) {
-      const double factor = at(factors_of(leaf), f.rank, in_leaf, t);
+      const double factor = Lines{factors_of(leaf), f.rank}.at(in_leaf, t);
       for (std::size_t j = 0; j < handles; ++j)
-        row[j] += factor * at(skeleton.data(), handles, f.pivots + t, j);
+        row[j] += factor * Lines{skeleton.data(), handles}.at(f.pivots + t, j);
     }
   }
 }

@@ -91,7 +91,7 @@ void Weigher::add_views() {
   for (const auto& view : views_) triangles.push_back({view.corner[0], view.corner[1], view.corner[2]});
   const auto table = mesh::half_edges(corners_.size(), triangles);
   // Edges are sorted by their first use in triangles, for cache locality.
-  auto order = pose::first_numbers(table.edges.size());
+  auto order = mesh::first_numbers(table.edges.size());
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return table.of(a).front().triangle < table.of(b).front().triangle;
   });

@@ -5,10 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/read.h"
-#include "mesh/defects.h"
 #include "mesh/summary.h"
 #include "mesh/triangle_tree.h"
-#include "mesh/winding_number.h"
 #include "support/data.h"
 
 using namespace viete;

@@ -1,8 +1,8 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "deform/frame_deformer.h"
+#include "mesh/triangle_tree.h"
 #include "support/caged_shapes.h"
-#include "mesh/winding_number.h"
 #include "support/shapes.h"
 #include "weights/bind.h"
 

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "cages/wish.h"
-#include "mesh/defects.h"
 #include "mesh/summary.h"
 #include "mesh/triangle.h"
-#include "mesh/winding_number.h"
+#include "mesh/triangle_tree.h"
 
 namespace viete::test {
 

@@ -60,12 +60,6 @@ Matrix affine_map(const Corners& rest, const Corners& posed) {
   return quad_product(columns(posed), quad_inverse(columns(rest)));
 }
 
-// Returns M^T * M, the square of the stretch.
-QuadSym squared_stretch(const Matrix& m) {
-  const auto entry = [&](int i, int j) { return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j]; };
-  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-}
-
 // Computes the unit quaternion from its largest component, and then the log from the quaternion.
 Vector log_of_rotation(const Matrix& r) {
   const Quad trace = r[0] + r[4] + r[8];
@@ -100,7 +94,7 @@ struct Element {
 };
 
 Element element(const Matrix& m, const Vector& rest_center, const Vector& center) {
-  const QuadSym squared = squared_stretch(m);
+  const QuadSym squared = gram(m);
   Element e{rest_center, center};
   e.map = m;
   e.rotation = quad_product(m, full(quad_inv_sqrt(squared)));
@@ -360,7 +354,7 @@ Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const Indepe
   }
   const Vector offset = minus(x, from);
   if (blend == pose::Blend::mls_affine) return plus(to, times(quad_product(b, quad_inverse(k)), offset));
-  const QuadSym squared = squared_stretch(b);
+  const QuadSym squared = gram(b);
   const Vector turned = times(quad_product(b, full(quad_inv_sqrt(squared))), offset);
   if (blend == pose::Blend::mls_rigid) return plus(to, turned);
   const QuadSym s = quad_function(squared, [](Quad y) { return sqrtq(y); });

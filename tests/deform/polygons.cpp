@@ -78,17 +78,22 @@ mesh::Surface jittered(mesh::Surface s, double by) {
   return s;
 }
 
+// Returns the surface with its faces in reverse order and with other first corners.
+mesh::Surface reordered(const mesh::Surface& s) {
+  auto faces = faces_of(s);
+  std::ranges::reverse(faces);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    std::ranges::rotate(faces[f], faces[f].begin() + 1 + static_cast<std::ptrdiff_t>(f % 3));
+  return polygons(s.positions, faces);
+}
+
 }  // namespace
 
 TEST_CASE("no_deformer_depends_on_the_first_corners_or_the_order_of_the_cages_faces") {
   const mesh::Surface model = jittered(test::sphere(2), 0.01);
   for (const mesh::Surface& cage : polygon_cages()) {
     const auto pose = jittered(cage, 0.4).positions;
-    auto faces = faces_of(cage);
-    std::ranges::reverse(faces);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      std::ranges::rotate(faces[f], faces[f].begin() + 1 + static_cast<std::ptrdiff_t>(f % 3));
-    const mesh::Surface other = polygons(cage.positions, faces);
+    const mesh::Surface other = reordered(cage);
     for (const Deformer& deformer : every_deformer()) {
       CAPTURE(text(deformer));
       CAPTURE(cage.positions.size());
@@ -203,11 +208,7 @@ TEST_CASE("models_of_bent_polygons_deform_symmetrically_whatever_their_first_cor
       REQUIRE(distance(*nearest) < 1e-14);
       mirrored.push_back(static_cast<std::size_t>(nearest - model.positions.begin()));
     }
-    auto faces = faces_of(model);
-    std::ranges::reverse(faces);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      std::ranges::rotate(faces[f], faces[f].begin() + 1 + static_cast<std::ptrdiff_t>(f % 3));
-    const mesh::Surface other = polygons(model.positions, faces);
+    const mesh::Surface other = reordered(model);
     const auto check = [&](const auto& shape) {
       const std::vector<mesh::Point> there = shape(model);
       std::vector<mesh::Point> images;

@@ -87,6 +87,14 @@ deform::ExactModel exact(const Capture& c, const pose::Cage& cage, const pose::D
 
 /// Rotates the upper side of the box by 70 degrees.
 const Twist twist{2, {0, 0, 0}, -1, 1, 0, 1.2};
+/// Returns the splats posed by the map x -> m x + (3, 0, -1).
+mesh::Splats posed_by(const Capture& c, const Matrix& m) {
+  const auto map = [&](const mesh::Point& p) {
+    const Eigen::Vector3d q = m * Eigen::Vector3d(p[0], p[1], p[2]);
+    return mesh::Point{q[0] + 3, q[1], q[2] - 1};
+  };
+  return posed(c, mapped_tips(c, 1e-3, map), 1e-3);
+}
 const Matrix some_map = (Matrix() << 1.4, 0.3, -0.2, 0.1, 0.6, 0.4, -0.5, 0.2, 1.1).finished();
 
 }  // namespace
@@ -94,13 +102,7 @@ const Matrix some_map = (Matrix() << 1.4, 0.3, -0.2, 0.1, 0.6, 0.4, -0.5, 0.2, 1
 TEST_CASE("an_affine_map_changes_covariances_exactly") {
   const Capture c = random_capture(500, 0);
   for (const Matrix& m : {some_map, Matrix(-some_map), Matrix(Matrix::Identity() * 1e3)}) {
-    const auto splats = posed(c,
-                              mapped_tips(c, 1e-3,
-                                          [&](const mesh::Point& p) {
-                                            const Eigen::Vector3d q = m * Eigen::Vector3d(p[0], p[1], p[2]);
-                                            return mesh::Point{q[0] + 3, q[1], q[2] - 1};
-                                          }),
-                              1e-3);
+    const auto splats = posed_by(c, m);
     for (std::size_t i = 0; i < splats.size(); ++i)
       CHECK(relative(covariance(axes_of(splats, i)), covariance(m * axes_of(c.splats, i))) <= 1e-6);
   }
@@ -110,12 +112,7 @@ TEST_CASE("needles_and_plates_of_any_size_keep_their_shortest_axis") {
   Capture c = random_capture(200, 0);
   for (std::size_t i = 0; i < c.splats.size(); ++i)
     c.splats.log_scales[i] = {i % 2 ? 80.0F : -80.0F, i % 3 ? -80.0F : 0.0F, i % 5 ? 1.0F : -12.0F};
-  const auto splats = posed(c,
-                            mapped_tips(c, 1e-3,
-                                        [](mesh::Point p) {
-                                          return mesh::Point{2 * p[1], -2 * p[0], 2 * p[2]};
-                                        }),
-                            1e-3);
+  const auto splats = posed_by(c, (Matrix() << 0, 2, 0, -2, 0, 0, 0, 0, 2).finished());
   for (std::size_t i = 0; i < splats.size(); ++i) {
     auto before = c.splats.log_scales[i], after = splats.log_scales[i];
     std::ranges::sort(before);
@@ -130,14 +127,7 @@ TEST_CASE("colours_turn_with_the_splat_in_every_degree") {
   Random random(23);
   for (const int degree : {1, 2, 3}) {
     const Capture c = random_capture(50, degree);
-    const auto splats = posed(c,
-                              mapped_tips(c, 1e-3,
-                                          [&](const mesh::Point& p) {
-                                            const Eigen::Vector3d q =
-                                                turn * Eigen::Vector3d(p[0], p[1], p[2]);
-                                            return mesh::Point{q[0], q[1], q[2]};
-                                          }),
-                              1e-3);
+    const auto splats = posed_by(c, turn);
     CHECK(splats.colors == c.splats.colors);
     for (int n = 0; n < 30; ++n) {
       const Vec3 v = random.vector(1);

@@ -2,7 +2,7 @@
 
 #include "document/elements.h"
 #include "document/pose_edit.h"
-#include "mesh/winding_number.h"
+#include "mesh/triangle_tree.h"
 #include "support/cube.h"
 #include "support/edits.h"
 #include "support/shapes.h"

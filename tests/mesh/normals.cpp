@@ -138,24 +138,27 @@ TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   Surface points;
   points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 1, 1}, {3, 1, 0}};
   const std::vector<Vec3> normals(5, up);
-  for (const auto& n : deformed_normals(points, turned(points.positions), normals, {}, every_vertex(points)))
+  for (const auto& n : deformed_normals(points, turned(points.positions), normals, {},
+                                        first_numbers(points.positions.size())))
     CHECK(near(n, is_then));
-  CHECK(deformed_normals(points, points.positions, normals, {}, every_vertex(points)) == normals);
-  for (const auto& t : deformed_tangents(points, turned(points.positions), normals, {}, every_vertex(points)))
+  CHECK(deformed_normals(points, points.positions, normals, {}, first_numbers(points.positions.size())) ==
+        normals);
+  for (const auto& t : deformed_tangents(points, turned(points.positions), normals, {},
+                                         first_numbers(points.positions.size())))
     CHECK(near(t, is_then));
 
   Surface line;  // a line along y: the rotation about the line is undetermined
   line.positions = {{0, 0, 0}, {0, 1, 0}, {0, 3, 0}};
-  for (const auto& n :
-       deformed_normals(line, turned(line.positions), std::vector<Vec3>(3, up), {}, every_vertex(line)))
+  for (const auto& n : deformed_normals(line, turned(line.positions), std::vector<Vec3>(3, up), {},
+                                        first_numbers(line.positions.size())))
     CHECK(near(n, is_then));
 
   // A separate vertex near a triangle, and a face without area. Both rotate with the triangle.
   Surface mixed = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {2, 0, 0}, {3, 0, 0}},
                                  {{0, 1, 2}, {1, 4, 5}});
   const auto now = turned(mixed.positions);
-  for (const auto& n :
-       deformed_normals(mixed, now, std::vector<Vec3>(6, up), mixed.corners, every_vertex(mixed)))
+  for (const auto& n : deformed_normals(mixed, now, std::vector<Vec3>(6, up), mixed.corners,
+                                        first_numbers(mixed.positions.size())))
     CHECK(near(n, is_then));
   const std::vector<std::uint32_t> a_face_each = {0, 0, 0, 1, 1, 1};
   for (const auto& n : deformed_normals(mixed, now, std::vector<Vec3>(2, up), a_face_each))

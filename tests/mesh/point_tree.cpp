@@ -5,7 +5,6 @@
 #include <map>
 #include <random>
 
-#include "mesh/point_index.h"
 #include "mesh/triangle.h"
 
 using namespace viete::mesh;

@@ -1,6 +1,6 @@
 // Makes a cage in the window: button, sliders, undo, posing and saving.
 #include "formats/write.h"
-#include "mesh/winding_number.h"
+#include "mesh/triangle_tree.h"
 #include "program/driver.h"
 #include "support/ball.h"
 #include "support/edits.h"

@@ -1,6 +1,6 @@
 // Cages with defects: messages, proposed repairs, badges and highlights.
 #include "formats/write.h"
-#include "mesh/winding_number.h"
+#include "mesh/triangle_tree.h"
 #include "program/small_scene.h"
 #include "support/commands.h"
 

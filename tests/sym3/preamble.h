@@ -45,6 +45,22 @@ Sym3<T> any_finite(Random& random) {
   return {any(), any(), any(), any(), any(), any()};
 }
 
+/// Returns general matrices with entries in [-1, 1).
+template <class T>
+std::vector<sym3::Mat3<T>> random_matrices(std::size_t count, unsigned seed) {
+  Random random(seed);
+  std::vector<sym3::Mat3<T>> all(count);
+  for (auto& m : all)
+    for (T& x : m) x = T(uniform(random, -1, 1));
+  return all;
+}
+
+template <class T>
+T determinant(const std::array<T, 9>& m) {
+  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+         m[2] * (m[3] * m[7] - m[4] * m[6]);
+}
+
 }  // namespace viete::test
 
 using namespace viete;

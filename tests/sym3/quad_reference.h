@@ -133,6 +133,12 @@ using QuadMat = std::array<Quad, 9>;  // stored by rows
 
 inline constexpr QuadMat quad_identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
+/// Returns M^T M.
+inline QuadSym gram(const QuadMat& m) {
+  const auto entry = [&](int i, int j) { return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j]; };
+  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+}
+
 template <class T>
 QuadMat to_quad(const sym3::Mat3<T>& m) {
   QuadMat q;

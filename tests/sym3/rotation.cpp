@@ -142,15 +142,6 @@ TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
     }
 }
 
-TEST_CASE_TEMPLATE("rotations_from_nan_and_infinity_are_nan", T, double, float) {
-  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()})
-    for (int i = 0; i < 3; ++i) {
-      Vec3<T> w = {1, 2, 3};
-      w[i] = bad;
-      for (const T x : sym3::exp_rotation(w)) CHECK(std::isnan(x));
-    }
-}
-
 TEST_CASE_TEMPLATE("logs_of_nan_infinity_and_overflow_are_three_nan", T, double, float) {
   const T big = std::numeric_limits<T>::max(), infinity = std::numeric_limits<T>::infinity();
   const Mat3<T> turns[] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},
@@ -170,10 +161,7 @@ TEST_CASE_TEMPLATE("logs_of_nan_infinity_and_overflow_are_three_nan", T, double,
 TEST_CASE("huge_angles_still_give_a_rotation") {
   for (const Vec3<double>& w :
        {Vec3<double>{1e200, -2e200, 5e199}, {1.7e308, 1.7e308, 1.7e308}, {-1.7e308, 1, 1.2e308}}) {
-    const auto r = sym3::exp_rotation(w);
-    const double det = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
-                       r[2] * (r[3] * r[7] - r[4] * r[6]);
-    CHECK(det == doctest::Approx(1).epsilon(1e-13));
+    CHECK(determinant(sym3::exp_rotation(w)) == doctest::Approx(1).epsilon(1e-13));
   }
   for (const float x : sym3::exp_rotation(Vec3<float>{3.3e38F, 3.3e38F, -3.3e38F})) CHECK(std::isfinite(x));
 }

@@ -14,8 +14,8 @@ namespace {
 using sym3::Mat3;
 using sym3::Vec3;
 
-/// All items whose numbers are combinations of special values. Of items with more than six numbers, the later
-/// numbers repeat the first ones.
+/// All items whose numbers are combinations of special values, and ordinary items with one bad number. Of
+/// combinations with more than six numbers, the later numbers repeat the first ones.
 template <class T, class Item>
 std::vector<Item> special_items() {
   using Limits = std::numeric_limits<T>;
@@ -31,6 +31,14 @@ std::vector<Item> special_items() {
       item[k] = k < 6 ? special[rest % kinds] : item[k - 6];
     items.push_back(std::bit_cast<Item>(item));
   }
+  for (const T size : {T(1), T(100)})
+    for (const T bad : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()})
+      for (std::size_t bad_at = 0; bad_at < numbers; ++bad_at) {
+        std::array<T, numbers> item;
+        for (std::size_t k = 0; k < numbers; ++k) item[k] = size * T(k % 2 ? -double(k) : double(k));
+        item[bad_at] = bad;
+        items.push_back(std::bit_cast<Item>(item));
+      }
   return items;
 }
 
@@ -58,7 +66,7 @@ void check_one(const char* name, const One& one) {
   CHECK(wrong == 0);
 }
 
-/// Checks the same, and that a batch gives the same bits as single calls.
+/// Checks the same for every kernel, and that a batch gives the same bits as single calls.
 template <class T, class In, class One, class Many>
 void check_both(const char* name, const One& one, const Many& many) {
   using Out = decltype(one(In{}));
@@ -71,24 +79,30 @@ void check_both(const char* name, const One& one, const Many& many) {
     const auto numbers = std::bit_cast<std::array<T, in_numbers>>(items[i]);
     for (std::size_t k = 0; k < in_numbers; ++k) in[k * stride + i] = numbers[k];
   }
-  many(sym3::View<const T, in_numbers>(in.data(), stride), sym3::View<T, out_numbers>(out.data(), stride),
-       items.size());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    std::array<T, out_numbers> numbers;
-    for (std::size_t k = 0; k < out_numbers; ++k) numbers[k] = out[k * stride + i];
-    if (!same_or_nan<T>(std::bit_cast<Out>(numbers), one(items[i]))) ++different;
+  for (const auto& kernel : sym3::kernels()) {
+    many(sym3::View<const T, in_numbers>(in.data(), stride), sym3::View<T, out_numbers>(out.data(), stride),
+         items.size(), sym3::Batch{&kernel});
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      std::array<T, out_numbers> numbers;
+      for (std::size_t k = 0; k < out_numbers; ++k) numbers[k] = out[k * stride + i];
+      if (&kernel == &sym3::kernel() && !same_or_nan<T>(std::bit_cast<Out>(numbers), one(items[i]))) ++wrong;
+      if (!is_finite<T>(items[i]) && !is_all_nan<T>(numbers)) ++wrong;
+    }
+    CAPTURE(name);
+    CAPTURE(kernel.name);
+    CHECK(wrong == 0);
   }
-  CAPTURE(name);
-  CHECK(different == 0);
 }
 
 }  // namespace
 
-#define VIETE_BOTH(In, Out, function)                                \
-  check_both<T, In>(                                                 \
-      #function, [](const In& x) { return Out(sym3::function(x)); }, \
-      [](const auto& in, const auto& out, std::size_t n) { sym3::function(in, out, n); })
+#define VIETE_BOTH(In, Out, function)                                                \
+  check_both<T, In>(                                                                 \
+      #function, [](const In& x) { return Out(sym3::function(x)); },                 \
+      [](const auto& in, const auto& out, std::size_t n, const sym3::Batch& batch) { \
+        sym3::function(in, out, n, batch);                                           \
+      })
 
 TEST_CASE_TEMPLATE("special_values_give_the_documented_results_in_single_calls_and_batches", T, double,
                    float) {
@@ -101,11 +115,17 @@ TEST_CASE_TEMPLATE("special_values_give_the_documented_results_in_single_calls_a
   VIETE_BOTH(Mat3<T>, Vec3<T>, log_rotation);
   check_both<T, Mat3<T>>(
       "polar", [](const Mat3<T>& m) { return sym3::polar(m).rotation; },
-      [](const auto& in, const auto& out, std::size_t n) { sym3::polar(in, out, n); });
+      [](const auto& in, const auto& out, std::size_t n, const sym3::Batch& batch) {
+        sym3::polar(in, out, n, batch);
+      });
   for (const double p : {-2.5, 0.5, 3.0})
     check_both<T, Sym3<T>>(
         "pow", [p](const Sym3<T>& s) { return sym3::pow(s, p); },
-        [p](const auto& in, const auto& out, std::size_t n) { sym3::pow(in, p, out, n); });
+        [p](const auto& in, const auto& out, std::size_t n, const sym3::Batch& batch) {
+          sym3::pow(in, p, out, n, batch);
+        });
+  check_one<T, Sym3<T>>("eigh", sym3::eigh<T>);
+  check_one<T, Mat3<T>>("svd", sym3::svd<T>);
 }
 
 TEST_CASE_TEMPLATE("special_values_give_the_documented_results_of_reference_methods", T, double, float) {

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 
 #include "deform/bound.h"
-#include "deform/vertex_sample.h"
+#include "deform/exact.h"
 #include "mesh/drawing.h"
 #include "weights/point_weights.h"
 
