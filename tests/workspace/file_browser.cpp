@@ -188,7 +188,7 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   const test::TemporaryFolder folder;
   FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
-  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, SPZ, PNG, MP4, WEBM or GIF");
+  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, PNG, MP4, WEBM or GIF");
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
   for (const char* name : {"f_2.obj", "f_3.obj", "f_4.obj"}) test::put_file(folder / name, "");
   const std::string proposed = browser.path;
