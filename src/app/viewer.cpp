@@ -245,6 +245,7 @@ bool Viewer::grant_wishes() {
 }
 
 void Viewer::grant(const workspace::Wish& wish) {
+  static_assert(std::variant_size_v<workspace::Wish> == 9, "grant() must handle each wish");
   if (const auto* open = std::get_if<workspace::OpenFiles>(&wish)) files_.open(workspace_, open->request);
   if (const auto* save = std::get_if<workspace::SaveFile>(&wish)) files_.save(workspace_, *save);
   if (const auto* given = std::get_if<workspace::AnswerQuestion>(&wish))
@@ -268,8 +269,11 @@ void Viewer::show_manual(const std::string& chapter) {
 
 void Viewer::cancel_work(workspace::CancelWork::Work work) {
   using Work = workspace::CancelWork::Work;
-  if (work == Work::exporting) return files_.cancel_export();
-  if (work == Work::report) return report_.cancel();
+  switch (work) {
+    case Work::exporting: return files_.cancel_export();
+    case Work::report: return report_.cancel();
+    case Work::opening: break;
+  }
   files_.cancel_opening();
   cages_.stop(workspace_);
   if (model_.binding())

@@ -90,7 +90,7 @@ fs::path checked_target(const fs::path& path) {
   if (target.empty()) throw Error("", "no file name is given", "give a file name");
   if (os::is_write_protected(target))
     throw Error(path.string(), "this file is write-protected",
-                std::string("choose another name, or make it writable: ") + os::way_to_make_writable);
+                "choose another name, or make it writable (" + std::string(os::way_to_make_writable) + ")");
   return target;
 }
 

@@ -14,7 +14,8 @@ namespace viete::base {
 struct WorkerPool::State {
   const unsigned long process = os::process_id();
   std::vector<std::jthread> threads;  // threads[i] has the number i + 1; the caller has the number 0
-  // Waiting threads look at this. The lowest bit changes when `last` is set, the rest counts loops.
+  // Waiting threads look at this. The two lowest bits count changes of `last`, at most two; the rest counts
+  // loops.
   std::atomic<std::uint32_t> news = 0;
   std::atomic<std::size_t> last = SIZE_MAX;  // threads with a higher number must end
   std::atomic<std::uint32_t> busy = 0;       // threads that have not finished this loop
@@ -47,7 +48,7 @@ struct WorkerPool::State {
       os::wait_for_change(news, seen);
       const std::uint32_t before = std::exchange(seen, news.load());
       if (index > last) return;
-      if (seen / 2 == before / 2) continue;
+      if (seen / 4 == before / 4) continue;
       const double seconds = work(index, threads.size() + 1);
       {
         const std::lock_guard lock(mutex);
@@ -70,7 +71,7 @@ struct WorkerPool::State {
 
   void end_beyond(std::size_t number) {
     last = number;
-    news ^= 1;
+    ++news;
     os::wake_all(news);
     threads.resize(number);  // waits until the removed threads end
   }
@@ -114,7 +115,7 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
   s.error = nullptr;
   s.longest = 0;
   s.busy = static_cast<std::uint32_t>(s.threads.size());
-  s.news += 2;
+  s.news += 4;
   os::wake_all(s.news);
   const double seconds = s.work(0, s.threads.size() + 1);
   while (const std::uint32_t others = s.busy) os::wait_for_change(s.busy, others);

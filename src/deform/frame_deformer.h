@@ -67,7 +67,7 @@ public:
   std::optional<pose::EngineKind> ran() const { return ran_; }
   pose::StageTimes times() const;
   /// Returns FusedEngine::bytes() of the last frame, which must be fused.
-  std::size_t fused_bytes() const { return fused_->bytes(); }
+  std::size_t fused_bytes() const { return fused_ ? fused_->bytes() : 0; }
 
   /// Return copies of all positions and normals of the last frame. The staged engine gives double precision,
   /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves the model.

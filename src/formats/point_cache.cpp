@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -104,18 +105,19 @@ void write_point_cache(const fs::path& path, const PointCacheHead& wished,
 }
 
 PointCache::PointCache(const fs::path& path) : name_(path.string()) {
-  const std::size_t size = base::regular_file_size(path);
+  size_ = base::regular_file_size(path);
   file_ = std::make_unique<std::ifstream>(path, std::ios::binary);
-  read_head(size);
+  read_head();
 }
 
 PointCache::PointCache(std::string name, std::string bytes) : name_(std::move(name)) {
-  const std::size_t size = bytes.size();
+  size_ = bytes.size();
   file_ = std::make_unique<std::istringstream>(std::move(bytes));
-  read_head(size);
+  read_head();
 }
 
 void PointCache::read(std::uint64_t offset, std::span<char> to) const {
+  assert(offset <= size_ && to.size() <= size_ - offset);  // read_head() checks the size of the file
   const std::lock_guard lock(mutex_);
   file_->clear();
   file_->seekg(static_cast<std::streamoff>(offset));
@@ -123,19 +125,19 @@ void PointCache::read(std::uint64_t offset, std::span<char> to) const {
     throw base::Error(name_, "the file cannot be read completely", "check the disk and the permissions");
 }
 
-void PointCache::read_head(std::uint64_t size) {
-  std::string begins(std::min<std::uint64_t>(size, pc2_magic.size()), '\0');
+void PointCache::read_head() {
+  std::string begins(std::min<std::uint64_t>(size_, pc2_magic.size()), '\0');
   read(0, begins);
-  if (begins == pc2_magic) return read_pc2_head(size);
-  begins.resize(std::min<std::uint64_t>(size, 512));
+  if (begins == pc2_magic) return read_pc2_head();
+  begins.resize(std::min<std::uint64_t>(size_, 512));
   read(0, begins);
-  if (size > 0) refuse_foreign(name_, begins);
-  read_mdd_head(size);
+  if (size_ > 0) refuse_foreign(name_, begins);
+  read_mdd_head();
 }
 
-void PointCache::read_pc2_head(std::uint64_t size) {
+void PointCache::read_pc2_head() {
   constexpr auto format = PointCacheFormat::pc2;
-  if (size < pc2_head_size)
+  if (size_ < pc2_head_size)
     throw base::Error(name_, "the file ends within the PC2 header", "export the point cache again");
   std::vector<char> head(pc2_head_size);
   read(0, head);
@@ -147,13 +149,13 @@ void PointCache::read_pc2_head(std::uint64_t size) {
   head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(samples),
            base::number_of_bytes<float>(&head[20]), base::number_of_bytes<float>(&head[24])};
   first_frame_ = pc2_head_size;
-  const std::uint64_t whole = (size - first_frame_) / (12 * head_.points);
+  const std::uint64_t whole = (size_ - first_frame_) / (12 * head_.points);
   if (whole < head_.frames)
     throw base::Error(name_,
                       "the file is truncated: it contains " + std::to_string(whole) + " of " +
                           cache_size_text(points, samples),
                       "export the point cache again");
-  if (size > first_frame_ + head_.frames * 12 * head_.points)
+  if (size_ > first_frame_ + head_.frames * 12 * head_.points)
     warnings_.push_back(name_ + ": ignored the bytes after the last frame");
   if (std::isfinite(head_.start) && std::isfinite(head_.rate) && head_.rate > 0) return;
   warnings_.push_back(name_ + ": the start frame or the sample rate is invalid; used 0 and 1");
@@ -161,21 +163,21 @@ void PointCache::read_pc2_head(std::uint64_t size) {
   head_.rate = 1;
 }
 
-void PointCache::read_mdd_head(std::uint64_t size) {
+void PointCache::read_mdd_head() {
   constexpr auto format = PointCacheFormat::mdd;
   std::vector<char> head(mdd_head_size, 0);
-  if (size >= mdd_head_size) read(0, head);
+  if (size_ >= mdd_head_size) read(0, head);
   const auto frames = base::number_of_bytes<std::int32_t>(&head[0], std::endian::big),
              points = base::number_of_bytes<std::int32_t>(&head[4], std::endian::big);
   if (frames <= 0 || points <= 0)
     throw base::Error(name_, "this is neither a PC2 nor an MDD point cache",
                       "check that it is the right file");
   head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(frames), 0, 1};
-  const std::uint64_t frame_size = 4 + 12 * std::uint64_t{head_.points}, room = size - mdd_head_size;
+  const std::uint64_t frame_size = 4 + 12 * std::uint64_t{head_.points}, room = size_ - mdd_head_size;
   if (room / frame_size < head_.frames || room != frame_size * head_.frames)
     throw base::Error(name_,
                       "the MDD header declares " + cache_size_text(points, frames) + ", but the file has " +
-                          std::to_string(size) + " bytes",
+                          std::to_string(size_) + " bytes",
                       "check that it is the right file, or export it again");
   std::vector<char> times(4 * head_.frames);
   read(mdd_head_size, times);

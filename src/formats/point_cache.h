@@ -68,13 +68,14 @@ public:
   std::vector<mesh::Point> frame(std::size_t number) const;
 
 private:
-  void read_head(std::uint64_t size);
-  void read_pc2_head(std::uint64_t size);
-  void read_mdd_head(std::uint64_t size);
+  void read_head();
+  void read_pc2_head();
+  void read_mdd_head();
   /// The bytes must be within the file.
   void read(std::uint64_t offset, std::span<char> to) const;
 
   std::string name_;
+  std::uint64_t size_ = 0;
   std::unique_ptr<std::istream> file_;
   mutable std::mutex mutex_;  ///< protects file_
   PointCacheHead head_;

@@ -261,12 +261,16 @@ void check_keeps_vertices(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> Original::write(const Content&, TextWriter&) const {
-  throw base::Error(name_, std::string(format_) + " files cannot be written", "save as .glb or .obj");
+  throw base::Error(name_, std::string(format_) + " files cannot be written this way",
+                    "save as .glb or .obj");
 }
 
 std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Content& content,
                                               Digits digits, base::Progress* progress,
-                                              const MorphMotion*) const {
+                                              const MorphMotion* motion) const {
+  if (motion)
+    throw base::Error(path.string(), "this format cannot store morph targets",
+                      "save as " + format_extensions(holds_morphs));
   base::FilesTogether files;
   std::vector<std::string> notes = put_companions(path, companions_, files);
   put_text(files, path, digits, progress,

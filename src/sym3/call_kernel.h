@@ -47,12 +47,23 @@ Out call_one(const F* KernelFunctions<T>::*which, const T* in, const More&... mo
   return out;
 }
 
+template <class T, int N>
+constexpr std::size_t numbers_of(const View<T, N>&) {
+  return N;
+}
+template <class Parameter>
+constexpr std::size_t numbers_of(const Parameter&) {
+  return 0;
+}
+
+/// Calls a function of the batch's kernel for many items. `more` are further views and parameters.
 template <class T, int N, int M, class F, class... More>
 void call_many(const F* KernelFunctions<T>::*which, const View<const T, N>& in, const View<T, M>& out,
                std::size_t count, const Batch& batch, const More&... more) {
   const auto many = (functions<T>(kernel_of(batch)).*which)->many;
   const auto call = [&](const Range& range) { many(in, out, more..., range); };
-  run_batch(task_of(call), count, (N + M) * sizeof(T) * count, in.plane[0] == out.plane[0], batch);
+  const std::size_t numbers = N + M + (std::size_t{0} + ... + numbers_of(more));
+  run_batch(task_of(call), count, numbers * sizeof(T) * count, in.plane[0] == out.plane[0], batch);
 }
 
 }  // namespace viete::sym3

@@ -210,7 +210,8 @@ private:
 
   void set_offset(std::size_t slot, const Vec3& sum) {
     const Vec3 offset = (model_.positions[b_.leaves.order[slot]] - weigher_.origin()) - sum;
-    TileLines<float>{b_.offsets.data(), 3}.set(slot, 0, (1 / b_.unit) * offset);
+    const TileLines<float> lines{b_.offsets.data(), 3};
+    for (std::size_t i = 0; i < 3; ++i) lines.at(slot, i) = static_cast<float>(offset[i] / b_.unit);
   }
 
   void keep_shares(std::size_t leaf, const LeafWeights& w) {

@@ -44,6 +44,7 @@ void browse_for(Workspace& w) {
 // Proposes a name such as "cage_pose.obj" in the session's folder. Without a session: beside the file `from`.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.files.saved.session.empty() ? from : w.files.saved.session;
+  w.files.browser.saves_capture = w.document.model().splats != nullptr;
   show(w.files.browser, purpose, beside.parent_path(), from.stem().string() + ending,
        files_open(w, own_of(purpose)));
 }
@@ -52,7 +53,6 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
 void browse_to_export(Workspace& w, Purpose purpose, const std::string& ending,
                       const std::string& capture_ending) {
   const document::OpenedSurface& model = w.document.model();
-  w.files.browser.saves_capture = model.splats != nullptr;
   browse_to_save(w, purpose, model.path,
                  model.splats ? capture_ending + model.path.extension().string() : ending);
 }

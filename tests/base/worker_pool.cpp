@@ -79,6 +79,14 @@ TEST_CASE("pool_works_with_the_threads_that_the_system_allows") {
   CHECK(all.threads() == 8);
 }
 
+TEST_CASE("a_pool_without_all_threads_ends_without_a_loop") {
+  const viete::test::ThreadsLeft limit(6);
+  for (int i = 0; i < 1000; ++i) {
+    WorkerPool pool(8);
+    CHECK(pool.threads() == 4);
+  }
+}
+
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // the sanitizers need more address space
 TEST_CASE("pool_leaves_address_space_to_its_caller") {
   const pid_t child = fork();

@@ -53,6 +53,7 @@ void check_point_cache(std::string_view bytes) {
     }
   } catch (const base::Error& error) {
     require(!error.place().empty());
+    require(std::string(error.what()).find("cannot be read completely") == std::string::npos);
   }
 }
 
