@@ -80,8 +80,8 @@ TEST_CASE("pool_works_with_the_threads_that_the_system_allows") {
 }
 
 TEST_CASE("a_pool_without_all_threads_ends_without_a_loop") {
-  const viete::test::ThreadsLeft limit(6);
   for (int i = 0; i < 1000; ++i) {
+    const viete::test::ThreadsLeft limit(6);
     WorkerPool pool(8);
     CHECK(pool.threads() == 4);
   }
