@@ -64,7 +64,8 @@ fs::path recovery_folder(const fs::path& state) {
   return state.empty() ? state : state / "recovery";
 }
 
-// Draws and writes pictures in a child process. Returns notes for the user, one line each.
+// Draws and writes pictures in a child process. Returns notes for the user, one line each. Throws base::Error
+// with the message of the child process, and base::Cancelled. Thread-safe.
 std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
   const fs::path session = scratch.path() / "animation.viete";

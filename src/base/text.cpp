@@ -1,6 +1,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -79,6 +80,11 @@ std::string joined(std::span<const std::string> texts, std::string_view separato
   for (const std::string& text : texts.first(std::min(most, texts.size())))
     all.append(&text == texts.data() ? "" : separator).append(text);
   return texts.size() > most ? all + " ..." : all;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 std::string listed(std::span<const std::string> texts, std::string_view last) {

@@ -33,6 +33,9 @@ std::string counted(std::size_t count, const std::string& noun);
 std::string joined(std::span<const std::string> texts, std::string_view separator = ", ",
                    std::size_t most = std::string_view::npos);
 
+/// Returns the text with its first letter in upper case.
+std::string capitalised(std::string text);
+
 /// Returns a list such as "a", "a or b" or "a, b or c". `last` precedes the last text.
 std::string listed(std::span<const std::string> texts, std::string_view last = " or ");
 

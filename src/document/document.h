@@ -1,4 +1,4 @@
-// The document: model, cage, pose, selection and settings. Revisions show which parts changed.
+// Document: model, cage, pose, selection, settings. Records and undoes edits. Revisions show changed parts.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// The gizmo at the selection's pivot: its handles on screen, and hit testing.
+// The gizmo at the selection's pivot, and the axis widget: handles on screen, and hit testing. A click on a
+// ball of the axis widget sets a standard view; dragging orbits.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The vertices that a drag moves (the selection, its mirror partners, the soft selection), their pivot, the
-// ends between which bend, twist and taper act, and copies of a pose between mirrored sides.
+// The vertices that a drag moves (the selection, its mirror partners, the soft selection), their pivot, and
+// the ends between which bend, twist and taper act.
 #pragma once
 
 #include <cstdint>
@@ -83,20 +83,5 @@ Shaping shaping_of(const document::Document& document, Shape shape, const Grip& 
 
 /// Returns the bending axis nearest to the direction; nullopt if the direction is parallel to `to - from`.
 std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction);
-
-// Copies of a pose between the sides of a symmetric cage. Hidden vertices do not move.
-
-/// Moves the mirror partner of each vertex in leading_vertices() to the mirror image of the vertex. A vertex
-/// on the mirror plane moves to the nearest point of the plane. Undoable.
-void copy_to_other_side(document::Document& document, const document::Mirror& mirror);
-
-/// Swaps the poses of both sides, for the selected vertices and their partners or, if no vertex is selected,
-/// for all vertices. Undoable.
-void swap_sides(document::Document& document, const document::Mirror& mirror);
-
-/// Moves each vertex to its entry in `positions`, and its mirror partner to the mirror image. If the partner
-/// is also in `vertices`, the partner moves to its own entry. `mirror` may be null. Undoable.
-void paste_pose(document::Document& document, std::span<const std::uint32_t> vertices,
-                std::span<const mesh::Point> positions, const document::Mirror* mirror);
 
 }  // namespace viete::interact

@@ -20,7 +20,7 @@ namespace viete::interact {
 /// elements.
 class Sight {
 public:
-  Sight(const document::Camera& camera);
+  explicit Sight(const document::Camera& camera);
 
   /// Draws a triangle that can hide elements. The corners are results of a Projector.
   void hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);

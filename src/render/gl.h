@@ -1,4 +1,5 @@
-// The functions of OpenGL 3.3 core, loaded at run time, and classes that own GL objects.
+// The functions of OpenGL 3.3 core, loaded at run time, and classes that own GL objects. Programs
+// compiled from the embedded shaders.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Draws Gaussian splats: blended ellipses with colours that depend on the direction.
+// Draws Gaussian splats: blended ellipses with colours that depend on the direction. Also blends them on the
+// processor (SplatPicture).
 #pragma once
 
 #include <array>

@@ -1,6 +1,5 @@
-// The menu bar, the context menu and the status bar.
+// The menu bar, the context menu and the status bar; the texts about mouse actions.
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -21,11 +20,6 @@ bool is_shown(const Context& ui, const workspace::Command& command) {
   return !command.passing || command.enabled(ui.workspace);
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
 // Lists the last edits, newest first. The current edit is marked; a click goes to another edit.
 void history_menu(const Context& ui) {
   constexpr std::size_t most = 50;
@@ -38,7 +32,7 @@ void history_menu(const Context& ui) {
   std::size_t wanted = position;
   const std::size_t last = labels.size() > most ? std::min(position, labels.size() - most) : 0;
   for (std::size_t n = labels.size() + 1; n-- > last;) {  // state after n edits
-    const std::string label = n == 0 ? "Before the first edit" : capitalised(labels[n - 1]);
+    const std::string label = n == 0 ? "Before the first edit" : base::capitalised(labels[n - 1]);
     if (ImGui::MenuItem((label + "##" + std::to_string(n)).c_str(), nullptr, n == position)) wanted = n;
     record(ui, "history/" + std::to_string(n));
   }
@@ -180,7 +174,7 @@ namespace {
 
 std::string hovered_text(const document::Selection& selection, std::uint32_t element, bool crowded) {
   const std::string name =
-      capitalised(document::element_name(selection.kind()) + ' ' + std::to_string(element));
+      base::capitalised(document::element_name(selection.kind()) + ' ' + std::to_string(element));
   const bool first_click =
       (crowded || selection.kind() == document::ElementKind::face) && !selection.contains(element);
   return name + (first_click ? ":  click selects, drag draws a box" : ":  click selects, drag moves");
@@ -263,7 +257,62 @@ std::string mouse_text(const workspace::Workspace& w) {
     return "Drag a probe to move it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
     return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);
-  return capitalised(looking_words(keymap));
+  return base::capitalised(looking_words(keymap));
+}
+
+namespace {
+
+void add_looking(const workspace::Keymap& keymap, std::vector<MouseLine>& lines) {
+  if (keymap.left_orbits()) {
+    lines.push_back({"Middle or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"});
+    lines.push_back({"Right drag", "pan"});
+  } else if (keymap.alt_moves_camera()) {
+    lines.push_back({"Alt+left, middle, right drag", "orbit, pan, zoom"});
+    lines.push_back({"Middle or right drag", "orbit; with Shift pan, with Ctrl zoom"});
+  } else {
+    lines.push_back({"Middle, right or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"});
+  }
+  lines.push_back({"Wheel", "zoom to the cursor"});
+  lines.push_back({"Double click", "orbit about this point"});
+}
+
+}  // namespace
+
+std::string key_or_label(const workspace::Keymap& keymap, std::string_view name) {
+  const workspace::Command& command = *workspace::find_command(name);
+  const std::string key = workspace::text(keymap.of(command).first);
+  return key.empty() ? '"' + std::string(command.label) + '"' : key;
+}
+
+std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap) {
+  std::vector<MouseLine> lines = {
+      {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
+      {"Left drag on an element", "move the selection (click faces and dense vertices first)"}};
+  if (keymap.left_orbits()) {
+    lines.push_back({"Left drag elsewhere", "orbit, or select with a box after " +
+                                                key_or_label(keymap, "select_box") + ", with Shift or Ctrl"});
+  } else {
+    lines.push_back({"Left drag elsewhere", "box select; with Shift or Ctrl, start anywhere"});
+  }
+  lines.push_back({"Left drag on a handle", "move, rotate or scale along its axis"});
+  lines.push_back({"Ctrl, Shift while dragging", "Ctrl snaps to steps; Shift moves at a tenth of the speed"});
+  lines.push_back({"X Y Z while dragging", "move along an axis (Shift: in a plane); type an amount, Enter"});
+  lines.push_back({"Esc or right button", "cancel the drag"});
+  lines.push_back({"Double click on a slider", "type a number (or Ctrl+click)"});
+  lines.push_back({"Right click", "context menu"});
+  add_looking(keymap, lines);
+  return lines;
+}
+
+std::string looking_words(const workspace::Keymap& keymap) {
+  if (keymap.left_orbits()) return "left or middle drag orbits,  right drag pans,  wheel zooms";
+  if (keymap.alt_moves_camera()) return "Alt and left drag orbits,  Alt and middle pans,  wheel zooms";
+  return "middle or right drag orbits,  Shift pans,  wheel zooms";
+}
+
+std::string empty_space_words(const workspace::Keymap& keymap) {
+  if (!keymap.left_orbits()) return "on empty space selects;  " + looking_words(keymap);
+  return "on empty space orbits;  right drag pans,  wheel zooms,  Shift selects with a box";
 }
 
 void status_bar(const Context& ui) {

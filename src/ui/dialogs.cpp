@@ -1,3 +1,4 @@
+// The preferences, the command palette, and the list of keys and mouse buttons.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -181,61 +182,6 @@ void command_palette(const Context& ui) {
   if (!found.empty() && enter_pressed()) chosen = found[palette.highlighted];
   if ((key_pressed(workspace::Key::escape) || beside) && !appeared) palette.open = false;
   if (chosen) run(w, *chosen);
-}
-
-namespace {
-
-void add_looking(const workspace::Keymap& keymap, std::vector<MouseLine>& lines) {
-  if (keymap.left_orbits()) {
-    lines.push_back({"Middle or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"});
-    lines.push_back({"Right drag", "pan"});
-  } else if (keymap.alt_moves_camera()) {
-    lines.push_back({"Alt+left, middle, right drag", "orbit, pan, zoom"});
-    lines.push_back({"Middle or right drag", "orbit; with Shift pan, with Ctrl zoom"});
-  } else {
-    lines.push_back({"Middle, right or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"});
-  }
-  lines.push_back({"Wheel", "zoom to the cursor"});
-  lines.push_back({"Double click", "orbit about this point"});
-}
-
-}  // namespace
-
-std::string key_or_label(const workspace::Keymap& keymap, std::string_view name) {
-  const workspace::Command& command = *workspace::find_command(name);
-  const std::string key = workspace::text(keymap.of(command).first);
-  return key.empty() ? '"' + std::string(command.label) + '"' : key;
-}
-
-std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap) {
-  std::vector<MouseLine> lines = {
-      {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
-      {"Left drag on an element", "move the selection (click faces and dense vertices first)"}};
-  if (keymap.left_orbits()) {
-    lines.push_back({"Left drag elsewhere", "orbit, or select with a box after " +
-                                                key_or_label(keymap, "select_box") + ", with Shift or Ctrl"});
-  } else {
-    lines.push_back({"Left drag elsewhere", "box select; with Shift or Ctrl, start anywhere"});
-  }
-  lines.push_back({"Left drag on a handle", "move, rotate or scale along its axis"});
-  lines.push_back({"Ctrl, Shift while dragging", "Ctrl snaps to steps; Shift moves at a tenth of the speed"});
-  lines.push_back({"X Y Z while dragging", "move along an axis (Shift: in a plane); type an amount, Enter"});
-  lines.push_back({"Esc or right button", "cancel the drag"});
-  lines.push_back({"Double click on a slider", "type a number (or Ctrl+click)"});
-  lines.push_back({"Right click", "context menu"});
-  add_looking(keymap, lines);
-  return lines;
-}
-
-std::string looking_words(const workspace::Keymap& keymap) {
-  if (keymap.left_orbits()) return "left or middle drag orbits,  right drag pans,  wheel zooms";
-  if (keymap.alt_moves_camera()) return "Alt and left drag orbits,  Alt and middle pans,  wheel zooms";
-  return "middle or right drag orbits,  Shift pans,  wheel zooms";
-}
-
-std::string empty_space_words(const workspace::Keymap& keymap) {
-  if (!keymap.left_orbits()) return "on empty space selects;  " + looking_words(keymap);
-  return "on empty space orbits;  right drag pans,  wheel zooms,  Shift selects with a box";
 }
 
 namespace {

@@ -1,3 +1,4 @@
+// The panels Display, Map (with its legend), Views, and Vertex inspector.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -9,6 +9,7 @@
 
 #include "ui/context.h"
 #include "workspace/command.h"
+#include "workspace/keymap.h"
 
 namespace viete::workspace {
 class Pointer;

@@ -1,5 +1,4 @@
-#include "document/checks.h"
-
+// Drawing over the view: selection tools, axis widget, brush, hints, folds, and captions of split views.
 #include <algorithm>
 #include <array>
 #include <cfloat>
@@ -7,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "document/checks.h"
 #include "interact/cursor_projection.h"
 #include "interact/picking.h"
 #include "ui/overlay_painter.h"

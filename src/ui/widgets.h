@@ -1,4 +1,4 @@
-// Widgets of the panels, with names for tests, and with tooltips that explain why a widget is disabled.
+// Widgets of the panels, with names for tests and tooltips; lists of choices; formats of numbers.
 #pragma once
 
 #include <functional>

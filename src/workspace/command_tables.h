@@ -1,4 +1,4 @@
-// The tables of commands, one table per topic. Each command has one row.
+// The tables of commands, one per topic, and the conditions under which commands can run.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "document/view_options.h"
 #include "pose/deformer.h"
 #include "workspace/command.h"
+#include "workspace/keymap.h"
 #include "workspace/workspace.h"
 
 namespace viete::workspace {

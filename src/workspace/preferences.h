@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "document/camera.h"
-#include "workspace/command.h"
+#include "workspace/keymap.h"
 
 namespace viete::workspace {
 

@@ -1,6 +1,7 @@
 // Commands for named poses and the timeline.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "document/pose_edit.h"

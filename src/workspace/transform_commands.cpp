@@ -4,7 +4,7 @@
 
 #include "document/elements.h"
 #include "document/probes.h"
-#include "interact/grip.h"
+#include "interact/mirror_edit.h"
 #include "workspace/command_tables.h"
 #include "workspace/pointer.h"
 

@@ -25,7 +25,7 @@
 #include "document/edit.h"
 #include "document/handling.h"
 #include "document/mirror.h"
-#include "document/probes.h"
+#include "document/pin_posing.h"
 #include "document/view_options.h"
 #include "files/open.h"
 #include "files/recovery.h"
@@ -55,6 +55,7 @@ struct SplitView : document::SideView {
   std::string problem{};  ///< why the view shows no model
 };
 
+/// The views of one document, each with its own deformer, method and map.
 struct Split {
   static constexpr std::size_t most = document::SideViews::most + 1;
 
@@ -79,6 +80,7 @@ std::size_t view_at(const Split& split, const document::Viewport& whole, const g
 /// Replaces the views and activates the first view.
 void put_side_views(Split& split, const document::SideViews& sides);
 
+/// The results of the checks, and the finding shown in the view.
 struct CheckState {
   bool running = false;
   double done = 0;  ///< in [0, 1]
@@ -273,6 +275,7 @@ struct FrameWindow {
 
 using document::KeyPlaces;
 
+/// State of the timeline panel: visible frames, selected keys, the running drag. See time_view.h.
 struct TimeView {
   enum class What { scrub, keys, box, pan };
   struct Drag {

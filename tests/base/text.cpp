@@ -38,6 +38,12 @@ TEST_CASE("quantities_have_three_digits_and_a_suitable_unit") {
   for (const auto& [text, expected] : rows) CHECK(text == expected);
 }
 
+TEST_CASE("a_capitalised_text_begins_with_a_capital") {
+  CHECK(capitalised("rotate 45") == "Rotate 45");
+  CHECK(capitalised("Rotate") == "Rotate");
+  CHECK(capitalised("").empty());
+}
+
 TEST_CASE("an_error_reads_place_problem_advice") {
   const Error error("dragon.obj:1042", "face refers to vertex 70000", "export the model again");
   CHECK(std::string(error.what()) == "dragon.obj:1042: face refers to vertex 70000; export the model again");

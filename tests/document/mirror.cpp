@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "interact/grip.h"
+#include "interact/mirror_edit.h"
 #include "support/cube.h"
 #include "support/edits.h"
 

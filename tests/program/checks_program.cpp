@@ -1,8 +1,10 @@
 // Cages with defects: messages, proposed repairs, badges and highlights.
+#include "document/pose_edit.h"
 #include "formats/write.h"
 #include "mesh/triangle_tree.h"
 #include "program/small_scene.h"
 #include "support/commands.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using test::Driver;
@@ -164,4 +166,31 @@ TEST_CASE("points_and_surfaces_open_with_the_users_deformer") {
   CHECK(d.document().deformer() == pose::default_deformer());
   d.open_dragon();
   CHECK(d.document().deformer() == pose::default_deformer());
+}
+
+TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
+  Driver d(Driver::default_options({1440, 900}), test::with_pixels);
+  d.open_dragon();
+  d.workspace().preferences.layout.sections["Checks"] = true;
+  d.settle();
+  d.move({720, 880});
+  CHECK_FALSE(d.recorder().find("pose_note/0"));
+  const double middle =
+      d.document().cage_file().bounds.low[0] +
+      0.7 * (d.document().cage_file().bounds.high[0] - d.document().cage_file().bounds.low[0]);
+  pose::Pose pose = d.document().pose();
+  for (auto& p : pose.positions)
+    if (p[0] > middle) p = {p[0], -p[1], -p[2]};
+  document::set_pose(d.document(), pose);
+  d.settle();
+  REQUIRE_FALSE(d.workspace().frame.report.torn.empty());
+  CHECK(d.recorder().find("pose_note/0"));
+  CHECK(d.workspace().messages.all().empty());
+  const auto with = d.picture();
+  d.workspace().frame.report.torn.clear();
+  d.frame();
+  CHECK(test::difference(with, d.picture(), 0) > 0);  // the marks are visible
+  document::reset_pose(d.document());
+  d.settle();
+  CHECK_FALSE(d.recorder().find("pose_note/0"));
 }

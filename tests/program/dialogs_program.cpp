@@ -1,18 +1,15 @@
 // File dialogs, preferences, menus of files and toasts, by mouse and keys.
-#include <map>
-
-#include "document/pose_edit.h"
 #include "formats/read.h"
 #include "formats/write.h"
 #include "program/kept_work.h"
 #include "program/small_scene.h"
-#include "support/pictures.h"
 #include "ui/widgets.h"
 #include "workspace/open_save.h"
 #include "workspace/preferences.h"
 
 using namespace viete;
 using test::Dragon, test::Driver, test::remembering;
+namespace fs = std::filesystem;
 
 TEST_CASE("typing_in_a_file_list_filters_the_list") {
   test::SmallScene scene;
@@ -94,8 +91,6 @@ TEST_CASE("preferences_change_scale_motion_autosave_and_list_recovered_edits") {
   CHECK(w.messages.all().back().text.find("b.viete") != std::string::npos);  // this file is missing
 }
 
-namespace fs = std::filesystem;
-
 TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
   const test::TemporaryFolder folder;
   fs::create_directory(folder / "inner");
@@ -155,76 +150,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   CHECK(fs::file_size(folder / "precious.obj") > 1000);
 }
 
-TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_during_a_drag") {
-  auto options = Driver::default_options({1440, 900});
-  options.probe = true;
-  Driver d(options);
-  d.open_dragon("pose_alert");
-  const auto& times = d.workspace().frame.method_times;
-  REQUIRE(d.until([&] { return times.measured; }));
-  constexpr std::size_t fused = workspace::MethodTimes::fused;
-  for (std::size_t method = 0; method < fused; ++method) {
-    CHECK(times.stages[method][pose::Stage::exp] > 0);
-    CHECK(times.stages[method][pose::Stage::fused] == 0);
-  }
-  CHECK(times.stages[fused][pose::Stage::fused] > 0);
-  CHECK(times.fused_error > 0);
-  CHECK(times.fused_error < 1e-4);
-  CHECK(d.recorder().find("timings/fused"));
-  // If the method changes, no new binding is needed.
-  d.click("method_diag");
-  REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == pose::EngineKind::staged; }));
-
-  d.workspace().frame.method_times = {};
-  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
-  d.press_and_move(at, at + glm::vec2(40, 20));
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  while (std::chrono::steady_clock::now() < end) {
-    d.frame();
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  CHECK_FALSE(times.measured);
-  d.button(0, false);
-  CHECK(d.until([&] { return times.measured; }));
-
-  d.run("deformer_mean_value");  // without exponentials: only the fused engine is timed
-  CHECK(d.until(
-      [&] { return times.measured && times.stages[fused].total() > 0 && times.stages[0].total() == 0; }));
-}
-
-TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
-  Driver d(Driver::default_options({1440, 900}), test::with_pixels);
-  d.open_dragon();
-  d.workspace().preferences.layout.sections["Checks"] = true;
-  d.settle();
-  d.move({720, 880});
-  CHECK_FALSE(d.recorder().find("pose_note/0"));
-  const double middle =
-      d.document().cage_file().bounds.low[0] +
-      0.7 * (d.document().cage_file().bounds.high[0] - d.document().cage_file().bounds.low[0]);
-  pose::Pose pose = d.document().pose();
-  for (auto& p : pose.positions)
-    if (p[0] > middle) p = {p[0], -p[1], -p[2]};
-  document::set_pose(d.document(), pose);
-  d.settle();
-  REQUIRE_FALSE(d.workspace().frame.report.torn.empty());
-  CHECK(d.recorder().find("pose_note/0"));
-  CHECK(d.workspace().messages.all().empty());
-  const auto with = d.picture();
-  d.workspace().frame.report.torn.clear();
-  d.frame();
-  CHECK(test::difference(with, d.picture(), 0) > 0);  // the marks are visible
-  document::reset_pose(d.document());
-  d.settle();
-  CHECK_FALSE(d.recorder().find("pose_note/0"));
-}
-
 namespace {
-
-glm::vec2 empty_place(Driver& d) {
-  const auto& v = d.workspace().view.camera.viewport;
-  return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
-}
 
 void open_cube(Driver& d, const std::filesystem::path& folder) {
   mesh::Surface cage = formats::read(test::dragon_cage).surface;
@@ -282,19 +208,6 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
   CHECK_FALSE(d.recorder().find("method_diag"));
   d.click("tab/methods");
   CHECK(d.recorder().find("map"));
-}
-
-TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
-  Dragon d("", test::with_pixels);
-  d.press_key(workspace::Key::f2);
-  d.settle();
-  const auto with_line = d.picture();
-  d.workspace().panels.has_user = false;
-  d.settle();
-  CHECK(test::difference(with_line, d.picture(), 0) > 0);
-  d.workspace().panels.has_user = true;
-  d.press_key(workspace::Key::f2);
-  CHECK(d.is_seen("open_model"));
 }
 
 TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
@@ -422,51 +335,4 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
   ask_for(d, "save_model", top / "out.obj");
   CHECK_FALSE(d.workspace().files.browser.open);
   CHECK(std::filesystem::exists(top / "out.obj"));
-}
-
-TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_of_the_last_one") {
-  const test::TemporaryFolder folder;
-  Dragon d;
-  d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
-  document::Handling& hand = d.workspace().view.handling;
-  hand.mirror = document::MirrorPlane::x;
-  hand.pivot = document::Pivot::point;
-  hand.point = mesh::Point{0.25, 1, -3};
-  d.workspace().messages.warn("The cage is open", {.scope = workspace::Scope::cage});
-  d.frame();
-  REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
-  d.frame(2);
-  for (const auto& m : d.workspace().messages.all()) CHECK(m.text != "The cage is open");
-  CHECK(hand.mirror == document::MirrorPlane::x);
-  open_cube(d, folder.path());
-  const document::CameraPose home, now = d.workspace().view.camera.pose();
-  CHECK(now.yaw == doctest::Approx(home.yaw));
-  CHECK(now.pitch == doctest::Approx(home.pitch));
-  CHECK(hand.mirror == document::MirrorPlane::none);
-  CHECK(hand.pivot == document::Pivot::median);
-  CHECK_FALSE(hand.point);
-}
-
-TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
-  Dragon d;
-  for (const glm::ivec2 size : {glm::ivec2(1500, 1000), glm::ivec2(700, 420), glm::ivec2(1280, 700)}) {
-    d.viewer().resize(size, 1);
-    d.frame();
-    for (int i = 0; i < 20 && d.viewer().wants_frame(); ++i) d.frame();
-    std::map<std::string, ui::WidgetRect> before = d.recorder().all();
-    d.frame(3);
-    for (const auto& [name, rect] : d.recorder().all()) {
-      if (!before.contains(name)) continue;  // skips new widgets
-      CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
-    }
-    if (!d.workspace().files.browser.open)
-      d.press_key('O', true);  // the file browser stays open in later rounds
-    d.frame(3);
-    for (const char* name : {"file_path", "file_choose"}) {
-      const auto rect = d.recorder().find(name);
-      REQUIRE(rect);
-      CHECK(rect->x1 <= static_cast<float>(size.x));
-      CHECK(rect->y1 <= static_cast<float>(size.y));
-    }
-  }
 }

@@ -1,4 +1,4 @@
-// Maps on the mesh, and split views.
+// Maps on the mesh, split views, and times of methods.
 #include <cmath>
 #include <set>
 
@@ -342,4 +342,41 @@ TEST_CASE("while_the_cage_itself_is_changed_all_views_stay_at_rest") {
   CHECK(apart(d, shown(d), d.document().model().surface->positions) < 1e-4);
   d.button(0, false);
   d.settle();
+}
+
+TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_during_a_drag") {
+  auto options = Driver::default_options({1440, 900});
+  options.probe = true;
+  Driver d(options);
+  d.open_dragon("pose_alert");
+  const auto& times = d.workspace().frame.method_times;
+  REQUIRE(d.until([&] { return times.measured; }));
+  constexpr std::size_t fused = workspace::MethodTimes::fused;
+  for (std::size_t method = 0; method < fused; ++method) {
+    CHECK(times.stages[method][pose::Stage::exp] > 0);
+    CHECK(times.stages[method][pose::Stage::fused] == 0);
+  }
+  CHECK(times.stages[fused][pose::Stage::fused] > 0);
+  CHECK(times.fused_error > 0);
+  CHECK(times.fused_error < 1e-4);
+  CHECK(d.recorder().find("timings/fused"));
+  // If the method changes, no new binding is needed.
+  d.click("method_diag");
+  REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == pose::EngineKind::staged; }));
+
+  d.workspace().frame.method_times = {};
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.press_and_move(at, at + glm::vec2(40, 20));
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  while (std::chrono::steady_clock::now() < end) {
+    d.frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  CHECK_FALSE(times.measured);
+  d.button(0, false);
+  CHECK(d.until([&] { return times.measured; }));
+
+  d.run("deformer_mean_value");  // without exponentials: only the fused engine is timed
+  CHECK(d.until(
+      [&] { return times.measured && times.stages[fused].total() > 0 && times.stages[0].total() == 0; }));
 }

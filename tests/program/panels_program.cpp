@@ -1,4 +1,5 @@
-// No widget of a panel may be outside the window or cover another widget, at the scales 1 and 2.
+// No widget of a panel may be outside the window or cover another widget, at the scales 1 and 2. Also:
+// resized windows and hidden panels.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "program/open_cage.h"
@@ -174,4 +175,41 @@ TEST_CASE("names_in_other_scripts_are_drawn_if_a_font_of_the_system_has_them") {
     CAPTURE(names.one);
     CHECK(test::difference(shown(names.one), shown(names.other), 12) > 0);  // "?" would be the same
   }
+}
+
+TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
+  Dragon d;
+  for (const glm::ivec2 size : {glm::ivec2(1500, 1000), glm::ivec2(700, 420), glm::ivec2(1280, 700)}) {
+    d.viewer().resize(size, 1);
+    d.frame();
+    for (int i = 0; i < 20 && d.viewer().wants_frame(); ++i) d.frame();
+    Widgets before = d.recorder().all();
+    d.frame(3);
+    for (const auto& [name, rect] : d.recorder().all()) {
+      if (!before.contains(name)) continue;  // skips new widgets
+      CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
+    }
+    if (!d.workspace().files.browser.open)
+      d.press_key('O', true);  // the file browser stays open in later rounds
+    d.frame(3);
+    for (const char* name : {"file_path", "file_choose"}) {
+      const auto rect = d.recorder().find(name);
+      REQUIRE(rect);
+      CHECK(rect->x1 <= static_cast<float>(size.x));
+      CHECK(rect->y1 <= static_cast<float>(size.y));
+    }
+  }
+}
+
+TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
+  Dragon d("", test::with_pixels);
+  d.press_key(workspace::Key::f2);
+  d.settle();
+  const auto with_line = d.picture();
+  d.workspace().panels.has_user = false;
+  d.settle();
+  CHECK(test::difference(with_line, d.picture(), 0) > 0);
+  d.workspace().panels.has_user = true;
+  d.press_key(workspace::Key::f2);
+  CHECK(d.is_seen("open_model"));
 }

@@ -24,6 +24,11 @@ const std::vector<mesh::Point>& rest_of(Driver& d) {
   return d.document().model().surface->positions;
 }
 
+glm::vec2 empty_place(Driver& d) {
+  const auto& v = d.workspace().view.camera.viewport;
+  return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
+}
+
 }  // namespace
 
 TEST_CASE("the_viewer_rests_with_a_cage_without_one_and_with_nothing_open") {
@@ -212,4 +217,29 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
     CHECK(error > 0);
     CHECK(d.until([&] { return d.workspace().view.split.views[0].fused_error == error; }));
   }
+}
+
+TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_of_the_last_one") {
+  const test::TemporaryFolder folder;
+  Dragon d;
+  d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
+  document::Handling& hand = d.workspace().view.handling;
+  hand.mirror = document::MirrorPlane::x;
+  hand.pivot = document::Pivot::point;
+  hand.point = mesh::Point{0.25, 1, -3};
+  d.workspace().messages.warn("The cage is open", {.scope = workspace::Scope::cage});
+  d.frame();
+  REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
+  d.frame(2);
+  for (const auto& m : d.workspace().messages.all()) CHECK(m.text != "The cage is open");
+  CHECK(hand.mirror == document::MirrorPlane::x);
+  formats::write(folder / "cube.obj", formats::read(test::dragon_cage).surface);
+  REQUIRE(d.open({folder / "cube.obj"}));
+  d.frame(3);
+  const document::CameraPose home, now = d.workspace().view.camera.pose();
+  CHECK(now.yaw == doctest::Approx(home.yaw));
+  CHECK(now.pitch == doctest::Approx(home.pitch));
+  CHECK(hand.mirror == document::MirrorPlane::none);
+  CHECK(hand.pivot == document::Pivot::median);
+  CHECK_FALSE(hand.point);
 }

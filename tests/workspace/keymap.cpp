@@ -1,3 +1,5 @@
+#include "workspace/keymap.h"
+
 #include <doctest/doctest.h>
 
 #include <set>

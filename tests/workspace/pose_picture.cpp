@@ -11,14 +11,23 @@ using namespace viete::workspace;
 
 namespace {
 
-glm::vec2 extent(const std::vector<PictureShape>& shapes) {
-  glm::vec2 low(1e9f), high(-1e9f);
+struct Box {
+  glm::vec2 low{1e9f}, high{-1e9f};
+};
+
+Box box_of(const std::vector<PictureShape>& shapes) {
+  Box box;
   for (const auto& shape : shapes)
     for (const auto& p : shape.points) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
+      box.low = glm::min(box.low, p);
+      box.high = glm::max(box.high, p);
     }
-  return high - low;
+  return box;
+}
+
+float height_of(const std::vector<PictureShape>& shapes) {
+  const Box box = box_of(shapes);
+  return box.high.y - box.low.y;
 }
 
 pose::Pose scaled(const pose::Cage& cage, double factor) {
@@ -48,11 +57,11 @@ float signed_area(const std::vector<glm::vec2>& points) {
 TEST_CASE("a_picture_fits_its_frame_and_a_smaller_pose_is_smaller") {
   const auto document = test::cube_document();
   const auto size = [&](double factor) {
-    return extent(
+    return height_of(
         pose_picture(document.cage()->surface, scaled(*document.cage(), factor).positions, UpAxis::y));
   };
-  CHECK(size(0.5).y == doctest::Approx(0.5 * size(1).y));
-  CHECK(size(4).y == doctest::Approx(size(1).y));
+  CHECK(size(0.5) == doctest::Approx(0.5 * size(1)));
+  CHECK(size(4) == doctest::Approx(size(1)));
   for (const auto& shape : pose_picture(document.cage()->surface, document.pose().positions, UpAxis::y))
     for (const auto& p : shape.points) CHECK(glm::clamp(p, glm::vec2(0), pose_picture_size) == p);
 }
@@ -67,7 +76,7 @@ TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
   pose.reset();
   pictures.tidy();
   const auto other = std::make_shared<const WholePose>(WholePose{scaled(*document.cage(), 0.5), {}});
-  CHECK(extent(pictures.of(document, other, UpAxis::y)).y < 0.6f * pose_picture_size.y);
+  CHECK(height_of(pictures.of(document, other, UpAxis::y)) < 0.6f * pose_picture_size.y);
 }
 
 TEST_CASE("without_a_cage_a_pose_without_a_shape_shows_the_model_at_rest") {
@@ -78,7 +87,9 @@ TEST_CASE("without_a_cage_a_pose_without_a_shape_shows_the_model_at_rest") {
 
 TEST_CASE("a_view_fills_its_frame_keeps_lengths_and_looks_from_above") {
   const auto shapes = cube_picture();
-  CHECK(extent(shapes).y == doctest::Approx(pose_picture_size.y - 6));  // the cube fills the height
+  const Box box = box_of(shapes);
+  CHECK(box.high.y - box.low.y == doctest::Approx(pose_picture_size.y - 6));  // the cube fills the height
+  CHECK(glm::distance(0.5f * (box.low + box.high), 0.5f * pose_picture_size) < 1e-3f);
   // The edges of a cube, as complex numbers, have the sum of squares 0 if and only if lengths are kept.
   std::complex<float> squares = 0;
   float lengths = 0, sides = 0, top = 0;
@@ -92,7 +103,10 @@ TEST_CASE("a_view_fills_its_frame_keeps_lengths_and_looks_from_above") {
       upright += std::abs(edge.x) < 1e-4f;
     }
     const glm::vec2 middle = 0.25f * (shape.points[0] + shape.points[1] + shape.points[2] + shape.points[3]);
-    (upright == 2 ? sides : top) += upright == 2 ? 0.5f * middle.y : middle.y;
+    if (upright == 2)
+      sides += 0.5f * middle.y;
+    else
+      top += middle.y;
   }
   CHECK(std::abs(squares) < 1e-4f * lengths);
   CHECK(top < sides);
