@@ -17,7 +17,7 @@
 #include "base/worker_pool.h"
 #include "formats/file_vectors.h"
 #include "formats/ply_file.h"
-#include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 
 namespace viete::formats {
 
