@@ -8,8 +8,8 @@
 
 #include "app/view_model.h"
 #include "base/background.h"
+#include "cages/capture.h"
 #include "cages/make.h"
-#include "cages/subject.h"
 #include "workspace/workspace.h"
 
 namespace viete::app {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "deform/exact.h"
+#include "deform/vertex_sample.h"
 #include "document/elements.h"
 #include "shapes/example_posing.h"
 

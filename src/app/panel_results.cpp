@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "base/os.h"
-#include "deform/exact.h"
+#include "deform/vertex_sample.h"
 #include "pose/maps.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/exp.h"

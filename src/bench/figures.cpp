@@ -6,7 +6,7 @@
 
 #include "files/shape_import.h"
 #include "formats/read.h"
-#include "shapes/shape_space.h"
+#include "shapes/spaces.h"
 
 namespace viete::bench {
 

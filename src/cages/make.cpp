@@ -14,7 +14,7 @@
 #include "cages/collapse.h"
 #include "cages/extraction.h"
 #include "cages/soundness.h"
-#include "mesh/summary.h"
+#include "mesh/defects.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"
 

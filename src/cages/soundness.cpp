@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cages/subject.h"
+#include "mesh/defects.h"
 #include "mesh/summary.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"

@@ -1,17 +1,13 @@
-// The input for making a cage: the model with a diagonal of 1, its plane of symmetry, and the core of a
-// capture.
+// The input for making a cage: the model with a diagonal of 1, and its plane of symmetry.
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "cages/clearance.h"
 #include "cages/extraction.h"
-#include "mesh/splats.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/vector.h"
@@ -76,16 +72,5 @@ struct Subject {
   FramedModel model;  ///< if there is a mirror, the box is symmetric about x = 0
   mesh::TriangleTree tree;
 };
-
-/// The part of a capture around which a cage is made.
-struct CaptureCore {
-  std::shared_ptr<const mesh::Surface> surface;  ///< some of the points
-  std::string note;                              ///< how many splats are left out; empty if none are
-};
-
-/// Leaves out splats with an opacity below 0.05, and lonely splats: those with fewer than 3 others within 5
-/// times the usual distance to the nearest splat. If no two different points are left, keeps all.
-/// Thread-safe.
-CaptureCore core_of(std::shared_ptr<const mesh::Surface> capture, const mesh::Splats& splats);
 
 }  // namespace viete::cages

@@ -1,8 +1,6 @@
-// Computes the deformed model in double precision: whole models for files, and selected vertices of a frame.
+// Computes the deformed model in double precision, for files. Works block by block to save memory.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,9 +16,7 @@
 #include "pose/cage_state.h"
 #include "pose/probe.h"
 #include "sym3/exp.h"
-#include "sym3/sym3.h"
 #include "weights/bind.h"
-#include "weights/binding.h"
 #include "weights/surface_proxy.h"
 #include "weights/weigher.h"
 
@@ -36,11 +32,11 @@ struct ExactModel {
   std::shared_ptr<const mesh::Splats> splats{};  ///< the posed splats of a capture; null for other models
 };
 
-/// Deforms one model by any number of poses. Works block by block to save memory. The positions differ from
-/// those of the staged engine by at most 1e-12 of the cage's diagonal. The number of threads and earlier
-/// poses do not change the results. Needs memory for the positions and about a megabyte per thread (more if
-/// the cage has over 10,000 elements). Weights along the surface also need memory: for all vertices of a
-/// small model, for the clusters of the proxy of a large one. Not thread-safe.
+/// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most
+/// 1e-12 of the cage's diagonal. The number of threads and earlier poses do not change the results. Needs
+/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements).
+/// Weights along the surface also need memory: for all vertices of a small model, for the clusters of the
+/// proxy of a large one. Not thread-safe.
 class ExactDeformer {
 public:
   /// Weights::kept keeps all weights for later poses, if they need less than a quarter of the free memory.
@@ -102,42 +98,5 @@ ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const pose
                           const weights::Mask& mask = nullptr, const pose::Probes& probes = {},
                           const weights::SharedShape& shape = nullptr,
                           std::shared_ptr<const mesh::Splats> splats = nullptr);
-
-using mesh::Vec3;
-
-struct VertexSum {
-  struct Term {
-    std::uint32_t handle;
-    double weight;                 ///< weight times the vertex's share
-    sym3::Sym3<double> stretch{};  ///< X = log S of the handle's map; 0 if rows have no logs
-    Vec3 turn{};                   ///< Y = log R
-    /// The handle's centre in the file's units: posed, or at rest if rows have no logs.
-    mesh::Point at{};
-  };
-  std::vector<Term> terms;       ///< terms with nonzero weight, largest first
-  sym3::Sym3<double> stretch{};  ///< sum of weight * X, over terms in order
-  Vec3 turn{};                   ///< sum of weight * Y
-  bool has_logs = false;         ///< false: rows have another form, and all X and Y are 0
-};
-
-/// Computes the sum at a vertex. Reads only weights along the surface from `binding`. `mask` may be null.
-VertexSum vertex_sum(const weights::Weigher& weigher, const weights::Binding& binding,
-                     const weights::Mask& mask, const pose::Rows& rows, std::size_t vertex);
-
-/// Returns the error of a frame: the largest distance of a vertex from its exact position, relative to the
-/// cage's diagonal. Compares the vertices of spread_vertices(n, error_sample). Exact positions are computed
-/// in double precision from exact weights. If `layer` is not null, it moves them. `displacements` are the
-/// shape's displacements, see Engine::set_shape(). `shown` are the frame's positions of the compared
-/// vertices, relative to the rows' origin. For weights along the surface, binding.tiles must not be null.
-double sampled_error(const weights::Weigher& weigher, const weights::Binding& binding,
-                     const weights::Mask& mask, std::span<const Vec3> displacements, const pose::Rows& rows,
-                     const ProbeLayer* layer, std::span<const Vec3> shown);
-
-/// Returns the blended logs of stretches, the input of the exponential, at up to `limit` vertices spread
-/// evenly over the model, without tips. Empty if rows have no logs. Throws base::Cancelled.
-std::vector<sym3::Sym3<double>> sample_stretches(const weights::Weigher& weigher,
-                                                 const weights::Binding& binding, const weights::Mask& mask,
-                                                 const pose::Rows& rows, std::size_t limit,
-                                                 base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/exact.h"
+#include "deform/vertex_sample.h"
 #include "pose/deformer.h"
 
 namespace viete::deform {

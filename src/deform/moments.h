@@ -26,7 +26,7 @@ using mesh::Vec3;
 ///
 /// The paper has only the first terms of B and K. If one point has all the weight, these terms vanish. If the
 /// weighted points lie in a plane, these terms lose rank. M would then be undetermined. The second terms
-/// prevent this: K is never singular. A is the map of the point's patch (maps.h). A patch acts like a
+/// prevent this: K is never singular. A is the map of the point's patch (pose/maps.h). A patch acts like a
 /// cloud of points with the radius l, which is 10 % of the cage's edge length. affine_moments follows
 /// affine poses of the cage exactly, if the cage is not flat. All forms follow similarities.
 ///

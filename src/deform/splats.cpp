@@ -119,7 +119,7 @@ private:
 void pose_splat(const Mat3<double>& f, const HarmonicsTurner& turner, std::size_t i, mesh::Splats& splats) {
   auto& scales = splats.log_scales[i];
   const double largest = *std::ranges::max_element(scales);
-  Mat3<double> axes = sym3::product(f, sym3::rotation_of(splats.rotations[i]));
+  Mat3<double> axes = sym3::product(f, sym3::rotation_of_quaternion(splats.rotations[i]));
   for (std::size_t k = 0; k < 9; ++k) axes[k] *= std::exp(std::max(scales[k % 3] - largest, -600.0));
   const auto [u, values, v] = sym3::svd(axes);
   std::array<float, 3> posed;
@@ -223,7 +223,7 @@ SplitSplats split_stretched(const mesh::Splats& rest, const mesh::Splats& posed,
     const std::size_t axis = std::ranges::max_element(scales) - scales.begin();
     const double growth = std::exp(scales[axis] - *std::ranges::max_element(rest.log_scales[i]));
     const Split split = split_of(growth);
-    const Mat3<double> rotation = sym3::rotation_of(posed.rotations[i]);
+    const Mat3<double> rotation = sym3::rotation_of_quaternion(posed.rotations[i]);
     const double deviation = std::exp(static_cast<double>(scales[axis]));
     const bool is_split = split.places.size() > 1 && std::isfinite(rotation[0] * deviation);
     all.split += is_split;
@@ -248,7 +248,7 @@ std::vector<SplatShape> rest_shapes(const mesh::Splats& splats) {
   std::vector<SplatShape> shapes(splats.size());
   base::for_blocks(shapes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Mat3<double> r = sym3::rotation_of(splats.rotations[i]);
+      const Mat3<double> r = sym3::rotation_of_quaternion(splats.rotations[i]);
       const Mat3<double> turn = std::isfinite(r[0]) ? r : Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1};
       for (std::size_t k = 0; k < 9; ++k)
         shapes[i][k] =

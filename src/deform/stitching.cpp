@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "deform/staged_engine.h"
-#include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 #include "mesh/triangle.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"

@@ -10,7 +10,7 @@
 #include "base/worker_pool.h"
 #include "document/document_state.h"
 #include "document/timeline.h"
-#include "shapes/shape_space.h"
+#include "shapes/spaces.h"
 
 namespace viete::document {
 

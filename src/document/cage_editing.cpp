@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "cages/edit.h"
+#include "cages/enclose.h"
 #include "document/edit.h"
 #include "document/elements.h"
 #include "document/mirror.h"

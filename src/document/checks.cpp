@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/text.h"
+#include "mesh/defects.h"
 #include "mesh/repair.h"
-#include "mesh/summary.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"
 

@@ -14,7 +14,7 @@
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "formats/source.h"
-#include "pose/cage.h"
+#include "pose/pose_file.h"
 
 namespace viete::files {
 

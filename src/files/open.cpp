@@ -18,7 +18,7 @@
 #include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"
 #include "mesh/vertex_order.h"
-#include "pose/cage.h"
+#include "pose/pose_file.h"
 
 namespace viete::files {
 

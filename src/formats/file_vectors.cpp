@@ -148,7 +148,7 @@ class VectorOriginal final : public Original {
 public:
   VectorOriginal(const Source& source, VectorFile file)
       : Original(file.format, source), file_(std::move(file)) {
-    companions_ = file_.companions;
+    companions_ = std::move(file_.companions);
     capture_ = file_.capture;
   }
 

@@ -12,7 +12,7 @@
 #include "formats/gltf_original.h"
 #include "formats/materials.h"
 #include "formats/surface_builder.h"
-#include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 
 namespace viete::formats {
 

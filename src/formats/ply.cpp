@@ -17,7 +17,7 @@
 #include "base/worker_pool.h"
 #include "formats/file_vectors.h"
 #include "formats/ply_file.h"
-#include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 
 namespace viete::formats {
 
@@ -474,17 +474,20 @@ ReadResult read_ply(const Source& source) {
   Attributes found = body.read();
   if (header.capture() == Capture::points) builder.warn(capture_note);
   constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
-  VectorFile file{.format = "PLY",
-                  .text = header.format == PlyHeader::Format::ascii,
-                  .order = header.order(),
-                  .vectors = body.take_vectors(),
-                  .beyond_attributes = header.beyond_attributes(),
-                  .companions = {source.folder, {}},
-                  .capture = header.capture()};
-  for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
+  Companions companions{source.folder, {}};
+  for (const ImageFile& image : found.images) companions.files.push_back(image.path);
   ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)], std::move(found));
-  result.original = result.splats ? original_of_capture(source, header, body.first_row(), result.splats)
-                                  : original_of(source, std::move(file));
+  if (result.splats) {
+    result.original = original_of_capture(source, header, body.first_row(), result.splats);
+  } else {
+    result.original = original_of(source, {.format = "PLY",
+                                           .text = header.format == PlyHeader::Format::ascii,
+                                           .order = header.order(),
+                                           .vectors = body.take_vectors(),
+                                           .beyond_attributes = header.beyond_attributes(),
+                                           .companions = std::move(companions),
+                                           .capture = header.capture()});
+  }
   return result;
 }
 

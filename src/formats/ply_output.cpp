@@ -208,7 +208,7 @@ public:
       const std::size_t source = content_.sources.empty() ? v : content_.sources[v];
       find_changes(v, source);
       const std::string_view row = rows_[source];
-      write(row, source);
+      is_text_ ? write_text(row, source) : write_binary(row, source);
       // The line end of the last row may be missing.
       const bool ended = source + 1 < vertices_.count || row.ends_with('\n') || row.ends_with('\r');
       if (is_text_ && !ended && v + 1 < count) out_.text("\n");
@@ -269,19 +269,29 @@ private:
     return *words;
   }
 
-  void write(std::string_view row, std::size_t source) {
-    TextCursor text(row);
-    std::size_t next = 0, copied = 0;  // the next property of a text, and the copied bytes of the row
+  void write_binary(std::string_view row, std::size_t source) {
+    std::size_t copied = 0;  // bytes of the row
     for (const Change& change : changes_) {
-      std::string_view before;
-      if (!is_text_) before = row.substr(offsets_[change.property], size_of(type(change.property)));
-      for (; is_text_ && next <= change.property; ++next) {
+      const std::size_t at = offsets_[change.property];
+      const std::string_view bytes = written(change, source);
+      out_.text(row.substr(copied, at - copied)).text(bytes);
+      copied = at + bytes.size();
+    }
+    out_.text(row.substr(copied));
+  }
+
+  void write_text(std::string_view row, std::size_t source) {
+    TextCursor text(row);
+    std::size_t property = 0, copied = 0;  // the next property, and the copied bytes of the row
+    for (const Change& change : changes_) {
+      std::string_view word;
+      for (; property <= change.property; ++property) {
         text.next_filled_line();
-        before = text.word();
+        word = text.word();
       }
-      const auto at = static_cast<std::size_t>(before.data() - row.data());
+      const auto at = static_cast<std::size_t>(word.data() - row.data());
       out_.text(row.substr(copied, at - copied)).text(written(change, source));
-      copied = at + before.size();
+      copied = at + word.size();
     }
     out_.text(row.substr(copied));
   }

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "formats/file_vectors.h"
 #include "formats/surface_builder.h"
-#include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 
 namespace viete::formats {
 

@@ -7,6 +7,7 @@
 
 #include "base/median.h"
 #include "base/worker_pool.h"
+#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 

@@ -1,4 +1,4 @@
-// The edges of a surface, the sides of triangles along each edge, and paths along edges.
+// The edges of a surface, and the sides of triangles along each edge.
 #pragma once
 
 #include <array>
@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/adjacency.h"
 #include "mesh/surface.h"
 #include "mesh/triangle.h"
 
@@ -54,23 +53,5 @@ void for_polygon_sides(const Surface& surface, std::size_t polygon, const Use& u
 
 /// Returns the edges of a surface's polygons, sorted and unique. See for_polygon_sides().
 std::vector<Edge> polygon_edges(const Surface& surface);
-
-/// The connected components of a surface, and short paths along edges. The surface must outlive the object.
-/// Immutable and thread-safe.
-class EdgePaths {
-public:
-  explicit EdgePaths(const Surface& surface);
-
-  /// Returns the index of the vertex's component. Vertices that edges connect are in the same component.
-  std::uint32_t part(std::uint32_t vertex) const { return parts_[vertex]; }
-  std::span<const std::uint32_t> parts() const { return parts_; }
-  /// True if there is a path along edges from a to b that is not longer than `longest`.
-  bool joined(std::uint32_t a, std::uint32_t b, double longest) const;
-
-private:
-  std::span<const Point> positions_;
-  Adjacency neighbours_;
-  std::vector<std::uint32_t> parts_;
-};
 
 }  // namespace viete::mesh

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle_tree.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mesh/half_edges.h"
-#include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 #include "mesh/summary.h"
 #include "mesh/triangle_tree.h"
 

@@ -27,7 +27,9 @@ public:
     double squared_distance = std::numeric_limits<double>::infinity();
   };
 
-  /// Returns the triangle nearest to p. If all squared distances are at least `below`, returns Nearest().
+  /// Returns the triangle nearest to p. If several triangles are equally near, returns the one that the
+  /// search reaches first. This depends on p and on the order of the tree's nodes; it need not be the lowest
+  /// index. If all squared distances are at least `below`, returns Nearest().
   Nearest nearest(const Point& p, double below = std::numeric_limits<double>::infinity()) const;
 
   struct NearestOfGroup {

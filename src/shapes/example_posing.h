@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "shapes/shape_space.h"
+#include "shapes/spaces.h"
 
 namespace viete::shapes {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 #include "mesh/union_find.h"
 #include "shapes/plane_kernel.h"
 #include "sym3/kernel.h"

@@ -188,7 +188,7 @@ double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m,
 /// Takes a Newton step to make U = R^T M symmetric. A rotation by a small vector w changes the asymmetry by
 /// (tr(U) I - U) w.
 std::array<double, n> refined(const std::array<double, n>& q, const std::array<double, 9>& m) {
-  const auto r = rotation_of(q);
+  const auto r = rotation_of_quaternion(q);
   const auto dot = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
   const double xx = dot(1, 1) + dot(2, 2), yy = dot(0, 0) + dot(2, 2), zz = dot(0, 0) + dot(1, 1);
   const double xy = -(dot(0, 1) + dot(1, 0)) / 2, xz = -(dot(0, 2) + dot(2, 0)) / 2,
@@ -210,7 +210,7 @@ std::array<double, 9> nearest_rotation(const std::array<double, 9>& m) {
   for (const double x : m) finite += x * 0;
   if (finite != 0) return nine_nan();
   const auto scaled = normalized(m);
-  return rotation_of(refined(top_vector(horn(scaled)), scaled));
+  return rotation_of_quaternion(refined(top_vector(horn(scaled)), scaled));
 }
 
 // Jacobi's method in double has errors relative to the largest eigenvalue. If the largest entry is more than

@@ -145,7 +145,7 @@ inline double determinant(const Mat3<double>& m) {
 
 /// Returns the rotation of a quaternion w, x, y, z of any length. The result is NaN if the length is 0.
 template <class T>
-Mat3<double> rotation_of(const std::array<T, 4>& quaternion) {
+Mat3<double> rotation_of_quaternion(const std::array<T, 4>& quaternion) {
   const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
   const double s = 2 / (w * w + x * x + y * y + z * z);
   return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "mesh/half_edges.h"
+#include "mesh/edge_paths.h"
 #include "mesh/surface.h"
 #include "weights/laplacian.h"
 

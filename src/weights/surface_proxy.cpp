@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 #include "mesh/triangulation.h"

@@ -16,6 +16,7 @@
 #include "sparse/sparse_cholesky.h"
 #include "weights/laplacian.h"
 #include "weights/part_coupling.h"
+#include "weights/thin_plate.h"
 
 namespace viete::weights {
 

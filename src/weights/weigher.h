@@ -12,7 +12,7 @@
 #include "weights/bind_kernel.h"
 #include "weights/binding.h"
 #include "weights/leaves.h"
-#include "weights/point_weights.h"
+#include "weights/space_weights.h"
 
 namespace viete::weights {
 

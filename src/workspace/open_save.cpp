@@ -15,7 +15,7 @@
 #include "files/output.h"
 #include "formats/format_table.h"
 #include "formats/write.h"
-#include "pose/cage.h"
+#include "pose/pose_file.h"
 #include "workspace/playing.h"
 #include "workspace/time_view.h"
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/read.h"
+#include "mesh/defects.h"
 #include "mesh/summary.h"
 #include "mesh/triangle_tree.h"
 #include "support/data.h"

@@ -5,7 +5,7 @@
 #include "formats/point_cache.h"
 #include "formats/read.h"
 #include "mesh/summary.h"
-#include "shapes/shape_space.h"
+#include "shapes/spaces.h"
 #include "support/data.h"
 
 using namespace viete;

@@ -1,5 +1,6 @@
 // Manual edits of cages with concave polygons. The surface must stay connected and have the right volume.
 #include "cages/edit.h"
+#include "cages/enclose.h"
 
 #include "cages/soundness.h"
 #include "mesh/summary.h"

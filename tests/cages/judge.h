@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cages/wish.h"
+#include "mesh/defects.h"
 #include "mesh/summary.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"

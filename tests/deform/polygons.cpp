@@ -1,7 +1,7 @@
 // Results depend on the polygons of cage and model, and not on their triangles or order.
 
 #include "deform/bound.h"
-#include "shapes/shape_space.h"
+#include "shapes/spaces.h"
 #include "support/shapes.h"
 #include "weights/point_weights.h"
 

@@ -1,6 +1,6 @@
 #include "deform/bound.h"
 #include "formats/read.h"
-#include "pose/cage.h"
+#include "pose/pose_file.h"
 #include "support/data.h"
 
 using namespace viete;

@@ -2,7 +2,7 @@
 
 #include "files/animation_export.h"
 #include "formats/morph_keys.h"
-#include "pose/cage.h"
+#include "pose/pose_file.h"
 #include "support/animated_cube.h"
 #include "support/gltf.h"
 #include "support/text.h"

@@ -111,7 +111,7 @@ void check_morphs(const ReadResult& read) {
   for (const double t : clip->seconds()) require(std::isfinite(t));
   const std::size_t vertices = read.surface.positions.size();
   require(clip->at_target(clip->targets().size() - 1).size() == vertices);
-  if (!clip->seconds().empty()) require(clip->at(clip->seconds().back()).size() == vertices);
+  if (!clip->seconds().empty()) require(clip->at_key(clip->seconds().size() - 1).size() == vertices);
 }
 
 ReadResult read_back(ReadResult (*read)(const Source&), const std::string& bytes) noexcept {

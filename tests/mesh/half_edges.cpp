@@ -1,4 +1,5 @@
 #include "mesh/half_edges.h"
+#include "mesh/edge_paths.h"
 
 #include "mesh/union_find.h"
 #include "support/shapes.h"

@@ -1,4 +1,5 @@
 #include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 
 #include <doctest/doctest.h>
 

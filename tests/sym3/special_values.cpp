@@ -128,6 +128,14 @@ TEST_CASE_TEMPLATE("special_values_give_the_documented_results_in_single_calls_a
   check_one<T, Mat3<T>>("svd", sym3::svd<T>);
 }
 
+TEST_CASE_TEMPLATE("special_values_give_the_documented_results_of_exp_in_single_calls_of_every_kernel", T,
+                   double, float) {
+  for (const auto& kernel : sym3::kernels()) {
+    CAPTURE(kernel.name);
+    check_one<T, Sym3<T>>("exp", [&](const Sym3<T>& s) { return exp_with(kernel, s); });
+  }
+}
+
 TEST_CASE_TEMPLATE("special_values_give_the_documented_results_of_reference_methods", T, double, float) {
   for (const auto method : {sym3::Method::diag, sym3::Method::sd, sym3::Method::improved_sd})
     check_one<T, Sym3<T>>("exp", [method](const Sym3<T>& s) { return sym3::exp(s, method); });

@@ -2,11 +2,11 @@
 
 #include "deform/bound.h"
 #include "formats/read.h"
-#include "mesh/half_edges.h"
+#include "mesh/edge_paths.h"
 #include "mesh/repair.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"
-#include "pose/cage.h"
+#include "pose/pose_file.h"
 #include "support/caged_shapes.h"
 #include "support/data.h"
 

@@ -1,4 +1,4 @@
-#include "shapes/shape_space.h"
+#include "shapes/spaces.h"
 
 #include <doctest/doctest.h>
 
