@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The targets are 80,800 lines of src and 42,000 of tests.
-constexpr std::size_t most_lines_of_src = 90'120, most_lines_of_tests = 48'520;
+constexpr std::size_t most_lines_of_src = 90'480, most_lines_of_tests = 48'590;
 constexpr std::size_t most_lines_of_a_room = 10'000, most_files_of_a_room = 45, most_lines_of_a_file = 600;
 constexpr std::size_t most_words_of_readme = 935, most_words_of_manual_and_rooms = 18'360;
 
