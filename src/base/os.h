@@ -69,8 +69,8 @@ std::optional<double> total_memory();
 std::optional<double> free_memory();
 /// The calling thread's processor time in seconds; wall time if the system does not measure it.
 double thread_seconds();
-/// Waits while the value is `old`. Notices only changes before the call, and changes before wake_all(). The
-/// value must not become `old` again.
+/// Waits while the value is `old`. After a change, waiting threads continue at the next wake_all(). Until
+/// then, the value must not become `old` again.
 void wait_for_change(const std::atomic<std::uint32_t>& value, std::uint32_t old);
 void wake_all(std::atomic<std::uint32_t>& value);
 /// Returns null if the memory is not available. `alignment` must be a power of two.
